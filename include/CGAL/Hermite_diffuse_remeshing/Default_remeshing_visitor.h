@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_DEFAULT_REMESHING_VISITOR_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_DEFAULT_REMESHING_VISITOR_H
+
+#include <boost/graph/graph_traits.hpp>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * is a visitor whose functions do nothing: derive from it and write the ones of interest.
+ * Pass the visitor with `visitor(std::ref(v))` to keep what it has collected.
+ *
+ * \cgalModels{HermiteDiffuseRemeshingVisitor}
+ *
+ * \tparam TriangleMesh the type of the mesh that is remeshed
+ */
+template <typename TriangleMesh>
+struct Default_remeshing_visitor
+{
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+
+  /// \name Stages
+  /// @{
+  void stage_begins(const char* /* name */) {}
+  /// `fraction` of the current stage that is done, from 0 to 1 and never falling
+  void progress(double /* fraction */) {}
+  void stage_ends(const char* /* name */) {}
+  /// asked between operations; once `true` is returned the mesh is left as it is, valid
+  bool is_stop_requested() { return false; }
+  /// @}
+
+  /// \name Operations
+  /// @{
+  void before_edge_split(edge_descriptor) {}
+  void after_edge_split(vertex_descriptor /* new vertex */) {}
+  /// `h` will be collapsed: its source is removed, its target stays
+  void before_edge_collapse(halfedge_descriptor) {}
+  void after_edge_collapse(vertex_descriptor /* the vertex that stays */) {}
+  void before_edge_flip(edge_descriptor) {}
+  void after_edge_flip(edge_descriptor) {}
+  void after_vertex_relocation(vertex_descriptor) {}
+  /// @}
+};
+
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_DEFAULT_REMESHING_VISITOR_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_REMESHING_REPORT_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_REMESHING_REPORT_H
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * tells why the adaptation ended.
+ */
+enum Stop_reason
+{
+  CONVERGED,           ///< a whole pass found nothing left to change
+  ITERATION_BOUND,     ///< `number_of_iterations` passes were made
+  FACE_BUDGET,         ///< the number of faces reached its cap
+  STOPPED_BY_VISITOR   ///< the visitor asked for it
+};
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * returns the name of a stop reason in lower case with underscores, as the command line program
+ * writes it.
+ */
+inline const char* name(const Stop_reason reason)
+{
+  switch(reason)
+  {
+    case CONVERGED:          return "converged";
+    case ITERATION_BOUND:    return "iteration_bound";
+    case FACE_BUDGET:        return "face_budget";
+    case STOPPED_BY_VISITOR: return "stopped_by_visitor";
+  }
+  return "unknown";
+}
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * says what a remeshing did and which promises it kept. Lengths are in the unit of the input.
+ * The quality of a triangle is \f$ 2\sqrt{3}\,\rho / L \f$ with \f$ \rho \f$ the radius of the
+ * inscribed circle and \f$ L \f$ the longest edge: 1 for an equilateral triangle, 0 for a flat one.
+ *
+ * \tparam TriangleMesh the type of the mesh that was remeshed
+ */
+template <typename TriangleMesh>
+struct Remeshing_report
+{
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+
+  /// \name Size of the mesh
+  /// @{
+  std::size_t number_of_input_faces = 0;
+  std::size_t number_of_faces = 0;         ///< of the whole mesh after remeshing
+  std::size_t number_of_vertices = 0;      ///< of the whole mesh after remeshing
+  /// @}
+
+  /// \name Quality of the remeshed faces
+  /// @{
+  double smallest_input_quality = 0.;
+  double mean_input_quality = 0.;
+  double smallest_quality = 0.;
+  double mean_quality = 0.;
+  /// @}
+
+  /// \name Distance to the model
+  /// measured at vertices, edge middles and face centroids of the result, and from the vertices of
+  /// the input to the result.
+  /// @{
+  double largest_deviation = 0.;
+  double mean_deviation = 0.;
+  std::array<double, 3> point_of_largest_deviation = {{0., 0., 0.}};
+  /// the bound that was asked for, infinite if there was none
+  double maximum_deviation = std::numeric_limits<double>::infinity();
+  /// `true` if `largest_deviation` is at most `maximum_deviation`
+  bool is_maximum_deviation_met = true;
+  /// the faces of the result that deviate more than `maximum_deviation`
+  std::vector<face_descriptor> faces_above_maximum_deviation;
+  /// @}
+
+  /// \name Sizes
+  /// @{
+  /// part of the edges with a length between half and twice the size asked for, in [0, 1]
+  double size_conformity = 0.;
+  /// @}
+
+  /// \name Classification
+  /// @{
+  std::size_t number_of_corners = 0;
+  std::size_t number_of_feature_edges = 0;  ///< of the input: boundary edges, sharp edges, user's edges
+  std::size_t number_of_curves = 0;
+  /// @}
+
+  /// \name What was done
+  /// @{
+  std::size_t number_of_splits = 0;
+  std::size_t number_of_collapses = 0;
+  std::size_t number_of_flips = 0;
+  std::size_t number_of_relocations = 0;
+  std::size_t number_of_iterations = 0;
+  Stop_reason stop_reason = CONVERGED;
+  /// name and seconds of every stage, in the order of the run
+  std::vector<std::pair<std::string, double> > stages;
+  double seconds = 0.;                      ///< of the whole call
+  /// @}
+};
+
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_REMESHING_REPORT_H

@@ -1,0 +1,102 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CLASSIFICATION_CLASSIFY_VERTICES_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CLASSIFICATION_CLASSIFY_VERTICES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Cut_mesh.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+enum Vertex_class
+{
+  SURFACE_VERTEX,
+  CURVE_VERTEX,          // two feature edges that go on smoothly
+  CORNER_VERTEX,         // never moved nor removed
+  APEX_VERTEX            // a corner without feature edges: the tip of a cone
+};
+
+inline bool is_corner(const Vertex_class c) { return c == CORNER_VERTEX || c == APEX_VERTEX; }
+
+// Angles are in radians. A vertex is a corner if the user says so, if the number of its feature
+// edges is neither zero nor two, if its two feature edges turn by more than `corner_angle`, if
+// several sheets touch there, or if its angular defect, the absolute value of 2 pi minus the sum
+// of the angles of its faces, exceeds `apex_defect` (paper, section 2.2).
+template <typename IsConstrained>
+std::vector<Vertex_class> classify_vertices(const Indexed_triangles& surface,
+                                            const Edge_table& edges,
+                                            const std::vector<Edge_class>& edge_classes,
+                                            const Cut_mesh& cut_mesh,
+                                            const double corner_angle,
+                                            const double apex_defect,
+                                            const IsConstrained& is_constrained)
+{
+  const int nv = surface.number_of_vertices();
+  struct Feature_star { int number = 0; int other_end[2] = {-1, -1}; };
+  std::vector<Feature_star> stars(nv);
+  for(int e = 0; e < edges.number_of_edges(); ++e)
+    if(is_feature(edge_classes[e]))
+      for(const int v : edges.vertices(e))
+      {
+        Feature_star& star = stars[v];
+        if(star.number < 2)
+          star.other_end[star.number] = edges.opposite_vertex(e, v);
+        ++star.number;
+      }
+
+  std::vector<int> number_of_nodes(nv, 0);
+  std::vector<double> angle_sum(nv, 0.);
+  for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
+  {
+    const int v = cut_mesh.vertex(i);
+    ++number_of_nodes[v];
+    for(const int c : cut_mesh.corners(i))
+    {
+      const Vector& p = surface.points[v];
+      angle_sum[v] += angle_between(surface.point(c / 3, next(c % 3)) - p,
+                                    surface.point(c / 3, previous(c % 3)) - p);
+    }
+  }
+
+  std::vector<Vertex_class> classes(nv, SURFACE_VERTEX);
+  for(int v = 0; v < nv; ++v)
+  {
+    const Feature_star& star = stars[v];
+    if(star.number == 0)
+    {
+      const double defect = std::abs(2. * boost::math::constants::pi<double>() - angle_sum[v]);
+      if(defect > apex_defect && number_of_nodes[v] == 1)
+        classes[v] = APEX_VERTEX;
+      else if(number_of_nodes[v] > 1 || is_constrained(v))
+        classes[v] = CORNER_VERTEX;
+    }
+    else if(star.number == 2 && !is_constrained(v))
+    {
+      const Vector& p = surface.points[v];
+      const double kink = angle_between(p - surface.points[star.other_end[0]],
+                                        surface.points[star.other_end[1]] - p);
+      classes[v] = kink > corner_angle ? CORNER_VERTEX : CURVE_VERTEX;
+    }
+    else
+      classes[v] = CORNER_VERTEX;
+  }
+  return classes;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CLASSIFICATION_CLASSIFY_VERTICES_H

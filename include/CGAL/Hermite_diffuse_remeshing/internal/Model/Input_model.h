@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INPUT_MODEL_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INPUT_MODEL_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_locator.h>
+
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Angles in radians; infinity turns a detection off.
+struct Feature_options
+{
+  double sharp_angle, corner_angle, apex_defect;
+};
+
+// Everything that is derived from the input alone: classified, cut, chained and fitted.
+struct Input_model
+{
+  Edge_table edges;
+  std::vector<Edge_class> edge_classes;
+  std::vector<Vertex_class> vertex_classes;
+  Feature_curves curves;
+  Reference_surface surface;
+  Reference_locator locator;
+
+  // `is_edge_constrained(face, side)`, `is_vertex_constrained(vertex)`: the user's features
+  template <typename IsEdgeConstrained, typename IsVertexConstrained>
+  Input_model(const Indexed_triangles& triangles, const Feature_options& features, const Model_options& options,
+              const IsEdgeConstrained& is_edge_constrained, const IsVertexConstrained& is_vertex_constrained)
+    : edges(triangles)
+    , edge_classes(classify_edges(triangles, edges, features.sharp_angle, is_edge_constrained))
+    , surface(make_surface(triangles, features, options, is_vertex_constrained))
+    , locator(surface)
+  {}
+
+  Input_model(const Input_model&) = delete;             // the locator refers to the surface
+  Input_model& operator=(const Input_model&) = delete;
+
+private:
+  template <typename IsVertexConstrained>
+  Reference_surface make_surface(const Indexed_triangles& triangles, const Feature_options& features,
+                                 const Model_options& options, const IsVertexConstrained& is_vertex_constrained)
+  {
+    Cut_mesh cut_mesh(triangles, edges, edge_classes);
+    vertex_classes = classify_vertices(triangles, edges, edge_classes, cut_mesh, features.corner_angle,
+                                       features.apex_defect, is_vertex_constrained);
+    curves = chain_feature_edges(triangles, edges, edge_classes, vertex_classes);
+    return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options);
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INPUT_MODEL_H

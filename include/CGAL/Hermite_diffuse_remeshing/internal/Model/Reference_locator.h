@@ -1,0 +1,289 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_LOCATOR_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_LOCATOR_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Triangle_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Barycentric coordinates of the point of the triangle (a,b,c) closest to p; coordinates are exactly
+// zero where the closest point is on a side or at a corner.
+inline Barycentric closest_barycentric(const Vector& a, const Vector& b, const Vector& c, const Vector& p)
+{
+  const auto on_segment = [](const Vector& s, const Vector& t, const Vector& q)
+  {
+    const Vector d = t - s;
+    const double length2 = d.squaredNorm();
+    return length2 > 0. ? (std::min)(1., (std::max)(0., (q - s).dot(d) / length2)) : 0.;
+  };
+  const Vector n = (b - a).cross(c - a);
+  const double area2 = n.squaredNorm();
+  Barycentric l = {{-1., -1., -1.}};
+  if(area2 > 0.)
+  {
+    l[0] = (b - p).cross(c - p).dot(n) / area2;
+    l[1] = (c - p).cross(a - p).dot(n) / area2;
+    l[2] = 1. - l[0] - l[1];
+  }
+  if(l[0] >= 0. && l[1] >= 0. && l[2] >= 0.)
+    return l;
+
+  // on the border: the closest of the three sides
+  const Vector* const corner[3] = {&a, &b, &c};
+  double best = (std::numeric_limits<double>::max)();
+  Barycentric result = {{1., 0., 0.}};
+  for(int k = 0; k < 3; ++k)
+  {
+    const Vector& s = *corner[k];
+    const Vector& t = *corner[next(k)];
+    const double u = on_segment(s, t, p);
+    const double distance2 = (p - s - u * (t - s)).squaredNorm();
+    if(distance2 < best)
+    {
+      best = distance2;
+      result[k] = 1. - u;
+      result[next(k)] = u;
+      result[previous(k)] = 0.;
+    }
+  }
+  return result;
+}
+
+// Finds points on the reference. A query with a hint walks from face to face without ever crossing
+// a feature; one without asks the AABB tree of the patch, or of the whole surface.
+class Reference_locator
+{
+  const Reference_surface& m_surface;
+  std::vector<std::unique_ptr<Triangle_tree> > m_trees;        // one per patch
+
+public:
+  explicit Reference_locator(const Reference_surface& surface)
+    : m_surface(surface)
+  {
+    const Cut_mesh& cut_mesh = surface.cut_mesh();
+    std::vector<std::vector<int> > faces(cut_mesh.number_of_patches());
+    for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
+      faces[cut_mesh.patch(f)].push_back(f);
+    for(const std::vector<int>& patch : faces)
+      m_trees.emplace_back(new Triangle_tree(surface.triangles(), patch));
+  }
+
+  // closest point of the facets of a patch
+  Location closest_on_patch(const Vector& p, const int patch) const
+  {
+    return location_on_face(m_trees[patch]->closest(p).first, p);
+  }
+
+  // closest point of all facets
+  Location closest(const Vector& p) const
+  {
+    Location best;
+    double best_distance2 = (std::numeric_limits<double>::max)();
+    for(std::size_t patch = 0; patch < m_trees.size(); ++patch)
+    {
+      if(m_trees[patch]->squared_distance_to_box(p) >= best_distance2)
+        continue;
+      const Location location = closest_on_patch(p, static_cast<int>(patch));
+      const double distance2 = (m_surface.triangles().point(location) - p).squaredNorm();
+      if(distance2 < best_distance2)
+      {
+        best_distance2 = distance2;
+        best = location;
+      }
+    }
+    return best;
+  }
+
+  // Descends from face to face to a facet point that no neighbouring face improves. The result is
+  // the closest point in the neighbourhood of the hint, on its side of every feature.
+  Location walk(const Vector& p, const int hint) const
+  {
+    const Indexed_triangles& triangles = m_surface.triangles();
+    const Cut_mesh& cut_mesh = m_surface.cut_mesh();
+    Location best = location_on_face(hint, p);
+    double best_distance2 = (triangles.point(best) - p).squaredNorm();
+    for(;;)
+    {
+      const Location current = best;
+      // a step must be a real one: ties between faces end the walk
+      const double least_gain = 1e-12 * best_distance2;
+      const auto visit = [&](const int f)
+      {
+        if(f == -1)
+          return;
+        const Location candidate = location_on_face(f, p);
+        const double distance2 = (triangles.point(candidate) - p).squaredNorm();
+        if(distance2 < best_distance2 - least_gain)
+        {
+          best_distance2 = distance2;
+          best = candidate;
+        }
+      };
+
+      const Barycentric& l = current.coordinates;
+      const int number_of_zeros = (l[0] == 0.) + (l[1] == 0.) + (l[2] == 0.);
+      if(number_of_zeros == 0)
+        break;
+      for(int k = 0; k < 3; ++k)
+        if(number_of_zeros == 1 && l[previous(k)] == 0.)
+          visit(cut_mesh.neighbor(current.face, k));
+        else if(number_of_zeros == 2 && l[k] != 0.)
+          for(const int corner : cut_mesh.corners(cut_mesh.node(current.face, k)))
+            visit(corner / 3);
+      if(best.face == current.face)
+        break;
+    }
+    return canonical(best);
+  }
+
+  // A point on an interior edge belongs to two faces: the one with the smaller index is used, so
+  // that rounding does not decide.
+  Location canonical(const Location& location) const
+  {
+    // relative to the face
+    constexpr double on_edge = 1e-9;
+    const Barycentric& l = location.coordinates;
+    for(int k = 0; k < 3; ++k)
+    {
+      if(l[previous(k)] > on_edge || l[k] <= on_edge || l[next(k)] <= on_edge)
+        continue;
+      const int g = m_surface.cut_mesh().neighbor(location.face, k);
+      if(g == -1 || g > location.face)
+        continue;
+      const std::array<int, 3>& t = m_surface.triangles().triangles[location.face];
+      const std::array<int, 3>& u = m_surface.triangles().triangles[g];
+      Location moved;
+      moved.face = g;
+      const double sum = l[k] + l[next(k)];
+      for(int j = 0; j < 3; ++j)
+        moved.coordinates[j] = u[j] == t[k] ? l[k] / sum : u[j] == t[next(k)] ? l[next(k)] / sum : 0.;
+      return moved;
+    }
+    return location;
+  }
+
+  // Newton on the local quadric (foot of p), walking on the facets: the point of the model closest
+  // to p near the hint. `tolerance` is relative to the local size.
+  struct Projection
+  {
+    Location location;
+    Local_quadric quadric;
+    double distance = 0.;        // of p to the model's point, without sign
+  };
+
+  Projection project(const Vector& p, const int hint, const double tolerance = 1e-6) const
+  {
+    constexpr int maximum_number_of_steps = 30;
+    Projection best;
+    best.location = walk(p, hint);
+    best.quadric = m_surface.evaluate(best.location);
+    double best_residual = tangential_residual(best.quadric, p);
+    Projection current = best;
+    for(int step = 0; step < maximum_number_of_steps && best_residual > tolerance; ++step)
+    {
+      const Vector target = base_point_of_foot(current.quadric, p);
+      const Location location = walk_along(target, current.location.face, current.quadric.z_axis);
+      if((m_surface.triangles().point(location) - current.quadric.origin).norm()
+         <= tolerance * current.quadric.size)
+        break;                   // stopped by a border or a feature
+      current.location = location;
+      current.quadric = m_surface.evaluate(location);
+      const double residual = tangential_residual(current.quadric, p);
+      if(residual < best_residual)
+      {
+        best = current;
+        best_residual = residual;
+      }
+    }
+    best.distance = (p - best.quadric.point()).norm();
+    return best;
+  }
+
+  Location location_on_face(const int f, const Vector& p) const
+  {
+    const Indexed_triangles& triangles = m_surface.triangles();
+    Location location;
+    location.face = f;
+    location.coordinates = closest_barycentric(triangles.point(f, 0), triangles.point(f, 1),
+                                               triangles.point(f, 2), p);
+    return location;
+  }
+
+private:
+  // walk to the base point `target` of the moving frame; the reference's facets are the parameter
+  // domain, so the foot of the perpendicular in direction z is taken on the first face
+  Location walk_along(const Vector& target, const int face, const Vector& z) const
+  {
+    const Vector n = m_surface.triangles().area_vector(face);
+    const double nz = n.dot(z);
+    constexpr double least_cosine = 0.2;
+    if(nz > least_cosine * n.norm())
+      return walk(target - (target - m_surface.triangles().point(face, 0)).dot(n) / nz * z, face);
+    return walk(target, face);
+  }
+
+  static double tangential_residual(const Local_quadric& quadric, const Vector& p)
+  {
+    const Vector r = p - quadric.point();
+    const Vector n = quadric.normal();
+    return (r - r.dot(n) * n).norm() / quadric.size;
+  }
+
+  // foot of p on the quadratic part of the fit, moved back to the plane of the frame
+  static Vector base_point_of_foot(const Local_quadric& quadric, const Vector& p)
+  {
+    constexpr int number_of_newton_steps = 5;
+    constexpr double least_determinant = 0.05, longest_step = 2.;
+    const std::array<double, 6>& a = quadric.a;
+    const Vector d = (p - quadric.origin) / quadric.size;
+    const double qx = d.dot(quadric.x_axis), qy = d.dot(quadric.y_axis), qz = d.dot(quadric.z_axis);
+    double x = 0., y = 0.;
+    for(int i = 0; i < number_of_newton_steps; ++i)
+    {
+      const double e = a[0] + a[1]*x + a[2]*y + a[3]*x*x + a[4]*x*y + a[5]*y*y - qz;
+      const double zx = a[1] + 2.*a[3]*x + a[4]*y, zy = a[2] + a[4]*x + 2.*a[5]*y;
+      const double gx = (x - qx) + e * zx, gy = (y - qy) + e * zy;
+      double hxx = 1. + zx*zx + 2.*e*a[3], hxy = zx*zy + e*a[4], hyy = 1. + zy*zy + 2.*e*a[5];
+      double determinant = hxx*hyy - hxy*hxy;
+      if(determinant < least_determinant || hxx < least_determinant)
+      {
+        hxx = 1. + zx*zx;
+        hxy = zx*zy;
+        hyy = 1. + zy*zy;
+        determinant = hxx*hyy - hxy*hxy;
+      }
+      x -= (hyy*gx - hxy*gy) / determinant;
+      y -= (hxx*gy - hxy*gx) / determinant;
+      const double length = std::hypot(x, y);
+      if(length > longest_step)
+      {
+        x *= longest_step / length;
+        y *= longest_step / length;
+        break;
+      }
+    }
+    return quadric.origin + quadric.size * (x * quadric.x_axis + y * quadric.y_axis);
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_LOCATOR_H

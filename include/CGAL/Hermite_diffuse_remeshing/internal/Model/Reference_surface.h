@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_SURFACE_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_SURFACE_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/interpolation_weights.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/node_normals.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+struct Model_options
+{
+  int degree = 3;                                     // 2, 3 or 4
+  int exponent = 2;                                   // of w/(1-w): 1 or 2
+  double hermite_weight = 0.3;                        // t: slopes against positions
+  Normal_estimation normals = FITTED_NORMALS;
+};
+
+// The local surface z = a0 + a1 x + a2 y + a3 x^2 + a4 xy + a5 y^2 in units of `size`, in a frame
+// that moves with the query: what a fit knows around its origin.
+struct Local_quadric
+{
+  Vector origin, x_axis, y_axis, z_axis;
+  double size = 1.;
+  std::array<double, 6> a = {{0., 0., 0., 0., 0., 0.}};
+
+  Vector point() const { return origin + size * a[0] * z_axis; }
+  Vector normal() const { return (z_axis - a[1] * x_axis - a[2] * y_axis).normalized(); }
+
+  Monge_form monge_form() const
+  {
+    return {x_axis, y_axis, z_axis, a[1], a[2], 2. * a[3] / size, a[4] / size, 2. * a[5] / size};
+  }
+};
+
+// The frozen copy of the input with its nodes: the Hermite diffuse interpolation, evaluated anew at
+// every query in a frame that is blended from the corners' normals. The evaluated surface is
+// continuous across edges to rounding and interpolates the nodes and their normals.
+class Reference_surface
+{
+  Indexed_triangles m_triangles;
+  Cut_mesh m_cut_mesh;
+  std::vector<Node> m_nodes;
+  Model_options m_options;
+
+  // slopes of a normal that lies nearly in the plane of the frame carry no information
+  static constexpr double least_cosine = 0.2;
+  static constexpr double ridge = 1e-9;
+
+public:
+  Reference_surface(Indexed_triangles triangles, Cut_mesh cut_mesh,
+                    const std::vector<Vertex_class>& vertex_classes, const Model_options& options)
+    : m_triangles(std::move(triangles)), m_cut_mesh(std::move(cut_mesh)),
+      m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)), m_options(options)
+  {
+    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, m_nodes);
+  }
+
+  const Indexed_triangles& triangles() const { return m_triangles; }
+  const Cut_mesh& cut_mesh() const { return m_cut_mesh; }
+  const Node& node(const int i) const { return m_nodes[i]; }
+  const Node& node(const int face, const int corner) const { return m_nodes[m_cut_mesh.node(face, corner)]; }
+  const Model_options& options() const { return m_options; }
+
+  // replaces the estimated normal of a node by one that the user knows
+  void set_normal(const int node, const Vector& normal) { m_nodes[node].normal = normal; }
+
+  // Normal blended from the corners' normals, not a fit: one or two degrees from the fitted one,
+  // at a tenth of the price.
+  Vector blended_normal(const Location& location) const
+  {
+    Vector sum = Vector::Zero();
+    for(int k = 0; k < 3; ++k)
+      sum += location.coordinates[k] * node(location.face, k).normal;
+    const double norm = sum.norm();
+    // a face whose corners are all singular, or where the normals cancel
+    constexpr double least_norm = 1e-3;
+    return norm > least_norm ? Vector(sum / norm)
+                             : Vector(m_triangles.area_vector(location.face).stableNormalized());
+  }
+
+  Local_quadric evaluate(const Location& location) const
+  {
+    Local_quadric result;
+    result.origin = m_triangles.point(location);
+    result.z_axis = blended_normal(location);
+    result.x_axis = any_normal(result.z_axis);
+    result.y_axis = result.z_axis.cross(result.x_axis);
+
+    double weight = 0., size = 0., cubic_ridge = 0.;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Node& corner = node(location.face, k);
+      if(corner.is_singular)
+        continue;
+      weight += location.coordinates[k];
+      size += location.coordinates[k] * corner.size;
+      cubic_ridge += location.coordinates[k] * corner.cubic_ridge;
+    }
+    if(!(weight > 0.))
+      return result;                    // at an apex: the vertex itself
+    result.size = size / weight;
+    cubic_ridge /= weight;
+
+    switch(m_options.degree)
+    {
+      case 2:  fit<2>(location, cubic_ridge, result); break;
+      case 4:  fit<4>(location, cubic_ridge, result); break;
+      default: fit<3>(location, cubic_ridge, result); break;
+    }
+    return result;
+  }
+
+private:
+  template <int Degree>
+  void fit(const Location& location, const double cubic_ridge, Local_quadric& result) const
+  {
+    Node_weights weights;
+    collect_node_weights(m_cut_mesh, m_nodes, location, weights);
+
+    const double t = m_options.hermite_weight;
+    Local_polynomial<Degree> polynomial;
+    double largest_weight = 0.;
+    for(const Node_weight& w : weights)
+    {
+      const Node& node = m_nodes[w.node];
+      const double omega = interpolating_weight(w.weight, m_options.exponent);
+      largest_weight = (std::max)(largest_weight, omega);
+      const Vector d = (node.position - result.origin) / result.size;
+      const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), z = d.dot(result.z_axis);
+      polynomial.add_position(x, y, z, (1. - t) * omega);
+      const double nz = node.normal.dot(result.z_axis);
+      if(nz > least_cosine)
+        polynomial.add_slopes(x, y, -node.normal.dot(result.x_axis) / nz,
+                              -node.normal.dot(result.y_axis) / nz, t * omega);
+    }
+    const double unit = double(weights.size()) * (std::min)(1., largest_weight);
+    polynomial.add_ridge(2, ridge * unit);
+    for(int order = 3; order <= Degree; ++order)
+      polynomial.add_ridge(order, cubic_ridge * unit);
+    if(polynomial.solve() > 0.)
+      for(int i = 0; i < 6; ++i)
+        result.a[i] = polynomial[i];
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_SURFACE_H

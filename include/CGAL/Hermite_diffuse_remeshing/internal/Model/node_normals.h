@@ -1,0 +1,244 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_NODE_NORMALS_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_NODE_NORMALS_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Local_polynomial.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * chooses how the normals at the nodes are found from the positions.
+ */
+enum Normal_estimation
+{
+  FITTED_NORMALS,   ///< quartic fit over two rings, lower degrees where it is not determined: order 3 to 4
+  SMOOTH_NORMALS,   ///< three sweeps of quadratic Hermite fits: for noisy positions
+  MAX_NORMALS,      ///< weights of Max (1999), exact on a sphere: order 1 in general
+  AREA_NORMALS      ///< weighted by area as in the paper: order 1
+};
+
+namespace internal {
+
+// Normal of the fan of faces of a node, weighted by area or by the weights of
+// N. Max, Weights for computing vertex normals from facet normals, JGT 4(2), 1999.
+inline Vector fan_normal(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
+                         const int node, const bool use_area)
+{
+  const Vector& p = surface.points[cut_mesh.vertex(node)];
+  Vector sum = Vector::Zero(), sum_of_area = Vector::Zero();
+  for(const int c : cut_mesh.corners(node))
+  {
+    const Vector u = surface.point(c / 3, next(c % 3)) - p;
+    const Vector v = surface.point(c / 3, previous(c % 3)) - p;
+    const double weight = u.squaredNorm() * v.squaredNorm();
+    sum_of_area += u.cross(v);
+    if(weight > 0.)
+      sum += u.cross(v) / weight;
+  }
+  if(use_area || !(sum.norm() > 0.))
+    sum = sum_of_area;
+  const double norm = sum.norm();
+  return norm > 0. ? Vector(sum / norm) : Vector(Vector::Zero());
+}
+
+// Frame at a node with lengths divided by the node's size. The x axis points to the first
+// neighbour, so that it turns with the surface and the pivots of a fit do not depend on how the
+// input lies in space.
+struct Node_frame
+{
+  Vector origin, x_axis, y_axis, z_axis;
+  double size;
+
+  Node_frame(const Vector& origin, const Vector& z_axis, const Vector& towards, const double size)
+    : origin(origin), z_axis(z_axis), size(size)
+  {
+    const Vector d = towards - origin;
+    x_axis = d - d.dot(z_axis) * z_axis;
+    const double norm = x_axis.norm();
+    // relative to the neighbour's distance: a neighbour straight above gives no direction
+    constexpr double least_slope = 1e-6;
+    x_axis = norm > least_slope * d.norm() ? Vector(x_axis / norm) : any_normal(z_axis);
+    y_axis = z_axis.cross(x_axis);
+  }
+
+  Vector local(const Vector& p) const
+  {
+    const Vector d = (p - origin) / size;
+    return Vector(d.dot(x_axis), d.dot(y_axis), d.dot(z_axis));
+  }
+
+  Vector normal_of_slopes(const double p, const double q) const
+  {
+    return (z_axis - p * x_axis - q * y_axis).normalized();
+  }
+};
+
+class Normal_fitter
+{
+  const Cut_mesh& m_cut_mesh;
+  const std::vector<Node>& m_nodes;
+  const std::vector<Vector>& m_max_normals;
+  std::vector<int> m_neighbors;
+  std::size_t m_first_of_last_ring = 0;
+  std::vector<int> m_mark;              // node that has seen another node last
+
+  // spare neighbours beyond the number of unknowns
+  static constexpr int surplus = 3;
+  // of the matrix scaled to a unit diagonal; below it the positions lie on few lines, such as
+  // the two rows of a cylinder meshed with one strip
+  static constexpr double least_pivot = 1e-5;
+  // a fit that turns the normal by more than this has left the neighbourhood it can describe
+  static constexpr double cosine_of_largest_turn = 0.93969262078590838;  // cos 20 degrees
+  // keeps the weight 1/d^2 finite; relative to the node's size, squared
+  static constexpr double weight_floor = 1e-6;
+
+public:
+  Normal_fitter(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
+                const std::vector<Vector>& max_normals)
+    : m_cut_mesh(cut_mesh), m_nodes(nodes), m_max_normals(max_normals), m_mark(nodes.size(), -1)
+  {}
+
+  Vector operator()(const int node)
+  {
+    m_neighbors.clear();
+    m_first_of_last_ring = 0;
+    m_mark[node] = node;
+    add_ring_of(node, node);
+    add_next_ring(node);
+
+    const Node_frame frame(m_nodes[node].position, m_max_normals[node],
+                           m_nodes[*m_cut_mesh.ring(node).begin()].position, m_nodes[node].size);
+    Vector normal;
+    if(fit<4>(frame, normal) || fit<3>(frame, normal) || fit<2>(frame, normal))
+      return normal;
+    constexpr int quadratic_unknowns = Local_polynomial<2>::size - 1;
+    if(int(m_neighbors.size()) < quadratic_unknowns + surplus)
+    {
+      add_next_ring(node);
+      if(fit<2>(frame, normal))
+        return normal;
+    }
+    return m_max_normals[node];
+  }
+
+private:
+  void add_ring_of(const int center, const int of)
+  {
+    if(m_nodes[of].is_singular)
+      return;
+    for(const int j : m_cut_mesh.ring(of))
+      if(m_mark[j] != center)
+      {
+        m_mark[j] = center;
+        if(!m_nodes[j].is_singular)
+          m_neighbors.push_back(j);
+      }
+  }
+
+  void add_next_ring(const int center)
+  {
+    const std::size_t end = m_neighbors.size();
+    for(std::size_t i = m_first_of_last_ring; i < end; ++i)
+      add_ring_of(center, m_neighbors[i]);
+    m_first_of_last_ring = end;
+  }
+
+  template <int Degree>
+  bool fit(const Node_frame& frame, Vector& normal) const
+  {
+    typedef Local_polynomial<Degree> Polynomial;
+    if(int(m_neighbors.size()) < Polynomial::size - 1 + surplus)
+      return false;
+    Polynomial polynomial;
+    for(const int j : m_neighbors)
+    {
+      const Vector x = frame.local(m_nodes[j].position);
+      polynomial.add_position(x[0], x[1], x[2], 1. / (x.squaredNorm() + weight_floor));
+    }
+    if(polynomial.solve(1) < least_pivot)
+      return false;
+    normal = frame.normal_of_slopes(polynomial[1], polynomial[2]);
+    return normal.dot(frame.z_axis) >= cosine_of_largest_turn;
+  }
+};
+
+// One sweep of Jacobi: every normal from a quadratic Hermite fit over the ring that leaves the
+// node's own normal out, so that noise is averaged.
+inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
+                                            const std::vector<Vector>& normals)
+{
+  constexpr double slope_weight = 0.5, least_cosine = 0.2;
+  std::vector<Vector> result(normals);
+  for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
+  {
+    if(normals[i] == Vector::Zero())
+      continue;
+    const Index_range ring = cut_mesh.ring(i);
+    const Node_frame frame(nodes[i].position, normals[i], nodes[*ring.begin()].position, nodes[i].size);
+    Local_polynomial<2> polynomial;
+    polynomial.add_position(0., 0., 0., 1. - slope_weight);
+    for(const int j : ring)
+    {
+      const Vector x = frame.local(nodes[j].position);
+      polynomial.add_position(x[0], x[1], x[2], 1. - slope_weight);
+      const double nz = normals[j].dot(frame.z_axis);
+      if(nz > least_cosine)
+        polynomial.add_slopes(x[0], x[1], -normals[j].dot(frame.x_axis) / nz,
+                              -normals[j].dot(frame.y_axis) / nz, slope_weight);
+    }
+    polynomial.add_ridge(2, 1e-9 * (ring.size() + 1));
+    if(polynomial.solve() > 0.)
+      result[i] = frame.normal_of_slopes(polynomial[1], polynomial[2]);
+  }
+  return result;
+}
+
+// Sets the normals of all nodes. Always computed from the Max normals of all nodes, never from
+// normals that were just updated: the result does not depend on the order of the nodes.
+inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
+                                  const Normal_estimation estimation, std::vector<Node>& nodes)
+{
+  const int n = cut_mesh.number_of_nodes();
+  std::vector<Vector> normals(n, Vector::Zero());
+  for(int i = 0; i < n; ++i)
+    if(!nodes[i].is_singular)
+      normals[i] = fan_normal(surface, cut_mesh, i, estimation == AREA_NORMALS);
+
+  if(estimation == SMOOTH_NORMALS)
+  {
+    constexpr int number_of_sweeps = 3;
+    for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
+      normals = smoothed_normals(cut_mesh, nodes, normals);
+  }
+  else if(estimation == FITTED_NORMALS)
+  {
+    Normal_fitter fitter(cut_mesh, nodes, normals);
+    for(int i = 0; i < n; ++i)
+      nodes[i].normal = normals[i] == Vector::Zero() ? normals[i] : fitter(i);
+    return;
+  }
+  for(int i = 0; i < n; ++i)
+    nodes[i].normal = normals[i];
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_NODE_NORMALS_H

@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REMESHER_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REMESHER_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/collapse_short_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// The loop of the paper's section 4: split, collapse, swap, relocate, with the factor 2 first and
+// tighter bands then, until a pass has nothing left to do.
+template <typename UserMesh>
+class Remesher
+{
+  Working_mesh<UserMesh>& m_mesh;
+  int m_maximum_number_of_iterations;
+  int m_number_of_iterations = 0;
+
+  // edges between 1/band and band times their size are left alone
+  static constexpr double first_band = 2., band = 1.4142135623730951;
+  // of the faces: fewer changes than this in a pass are the last ripples of the swaps
+  static constexpr double negligible_part = 1e-3;
+  // triangles with a better score are not worth a search
+  static constexpr double satisfying_score = 0.7;
+  static constexpr int maximum_number_of_optimisation_passes = 8;
+
+public:
+  Remesher(Working_mesh<UserMesh>& mesh, const int maximum_number_of_iterations)
+    : m_mesh(mesh), m_maximum_number_of_iterations(maximum_number_of_iterations)
+  {}
+
+  int number_of_iterations() const { return m_number_of_iterations; }
+
+  // sizes: every edge into its band
+  Stop_reason adapt()
+  {
+    for(int i = 0; i < m_maximum_number_of_iterations; ++i)
+    {
+      ++m_number_of_iterations;
+      const double bound = i == 0 ? first_band : band;
+      std::size_t changes = split_long_edges(m_mesh, bound);
+      changes += collapse_short_edges(m_mesh, 1. / bound, bound);
+      changes += flip_edges(m_mesh);
+      balance_vertices(m_mesh);
+      m_mesh.update_hints();
+      m_mesh.report_progress(double(i + 1) / m_maximum_number_of_iterations);
+      if(m_mesh.is_stopped())
+        return STOPPED_BY_VISITOR;
+      if(m_mesh.is_full())
+        return FACE_BUDGET;
+      if(i > 0 && changes <= negligible_part * m_mesh.number_of_faces())
+        return CONVERGED;
+    }
+    return ITERATION_BOUND;
+  }
+
+  // shapes: no size is looked at, and the worst score that an operation touches never falls
+  Stop_reason optimise(const Stop_reason reason)
+  {
+    for(int i = 0; i < maximum_number_of_optimisation_passes; ++i)
+    {
+      const std::size_t changes = flip_edges(m_mesh) + improve_vertices(m_mesh, satisfying_score);
+      m_mesh.update_hints();
+      m_mesh.report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
+      if(m_mesh.is_stopped())
+        return STOPPED_BY_VISITOR;
+      if(changes <= negligible_part * m_mesh.number_of_faces())
+        break;
+    }
+    return reason;
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REMESHER_H

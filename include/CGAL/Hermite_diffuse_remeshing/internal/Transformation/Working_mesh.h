@@ -1,0 +1,447 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// What the user handed in.
+template <typename TriangleMesh_, typename VertexPointMap, typename EdgeIsConstrainedMap,
+          typename FacePatchMap, typename GeomTraits_, typename Visitor_>
+struct User_mesh
+{
+  typedef TriangleMesh_ TriangleMesh;
+  typedef GeomTraits_ GeomTraits;
+  typedef Visitor_ Visitor;
+
+  TriangleMesh& tmesh;
+  VertexPointMap points;
+  EdgeIsConstrainedMap edge_is_constrained;
+  FacePatchMap face_patch;
+  GeomTraits traits;
+  Visitor& visitor;
+};
+
+struct Operation_counts
+{
+  std::size_t splits = 0, collapses = 0, flips = 0, relocations = 0;
+};
+
+// The one gate to the user's mesh: every Euler operation, every change of a point, of a
+// constraint or of a patch label, and every call of the visitor is made here. Vertices and faces
+// carry numbers that do not depend on descriptors, so that an order by them is the same for
+// every type of mesh.
+template <typename UserMesh>
+class Working_mesh
+{
+public:
+  typedef typename UserMesh::TriangleMesh TriangleMesh;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+
+  struct Vertex
+  {
+    Site site;
+    Vertex_class type = SURFACE_VERTEX;
+    int reference_vertex = -1;          // of a vertex that is still at its place in the input
+    bool is_frozen = false;
+  };
+
+private:
+  struct Edge
+  {
+    int curve = -1;                     // -1: interior
+    bool is_protected = false;
+    bool is_constrained = false;        // in the user's map
+  };
+
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int> >::type Vertex_index_map;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<Edge> >::type Edge_map;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::type Face_hint_map;
+
+  UserMesh m_user;
+  const Reference& m_reference;
+  Vertex_index_map m_vertex_index;
+  Edge_map m_edge;
+  Face_hint_map m_hint;                 // a face of the reference near the face; -1: not to be remeshed
+  std::vector<Vertex> m_vertices;
+  std::vector<int> m_free_vertices;
+  std::vector<char> m_is_reference_face_remeshed;
+  std::size_t m_number_of_faces = 0;    // that are remeshed
+  std::size_t m_maximum_number_of_faces;
+  Operation_counts m_counts;
+  bool m_is_stopped = false;
+
+public:
+  // `faces_of_reference[i]` is the face of the mesh that became face i of the reference;
+  // `is_remeshed[i]` selects the part to work on.
+  template <typename IsFrozen>
+  Working_mesh(const UserMesh& user, const Reference& reference,
+               const std::vector<face_descriptor>& faces_of_reference,
+               const std::vector<char>& is_remeshed,
+               const IsFrozen& is_edge_frozen,
+               const std::size_t maximum_number_of_faces)
+    : m_user(user), m_reference(reference)
+    , m_vertex_index(get(CGAL::dynamic_vertex_property_t<int>(), user.tmesh))
+    , m_edge(get(CGAL::dynamic_edge_property_t<Edge>(), user.tmesh))
+    , m_hint(get(CGAL::dynamic_face_property_t<int>(), user.tmesh))
+    , m_is_reference_face_remeshed(is_remeshed)
+    , m_maximum_number_of_faces(maximum_number_of_faces)
+  {
+    for(const vertex_descriptor v : vertices(user.tmesh))
+      put(m_vertex_index, v, -1);
+    for(const edge_descriptor e : edges(user.tmesh))
+      put(m_edge, e, Edge());
+
+    const Indexed_triangles& triangles = reference.surface.triangles();
+    std::vector<int> index_of_vertex(triangles.number_of_vertices(), -1);
+    for(int f = 0; f < triangles.number_of_faces(); ++f)
+    {
+      put(m_hint, faces_of_reference[f], is_remeshed[f] ? f : -1);
+      m_number_of_faces += is_remeshed[f];
+      halfedge_descriptor h = halfedge(faces_of_reference[f], user.tmesh);
+      for(int k = 0; k < 3; ++k, h = CGAL::next(h, user.tmesh))
+      {
+        const int v = triangles.triangles[f][k];
+        if(index_of_vertex[v] == -1)
+          index_of_vertex[v] = make_initial_vertex(f, k);
+        put(m_vertex_index, source(h, user.tmesh), index_of_vertex[v]);
+        make_initial_edge(edge(h, user.tmesh), reference.edges.edge(f, k), is_edge_frozen(h));
+      }
+    }
+    for(std::size_t c = 0; c < reference.curves.curves.size(); ++c)
+    {
+      const Feature_curve& curve = reference.curves.curves[c];
+      for(std::size_t i = 1; i + 1 < curve.vertices.size(); ++i)
+        m_vertices[index_of_vertex[curve.vertices[i]]].site =
+          reference.curve_site(static_cast<int>(c), curve.spline.parameter(static_cast<int>(i)));
+    }
+    freeze_seam_and_protected_edges();
+  }
+
+  const Reference& reference() const { return m_reference; }
+  const TriangleMesh& tmesh() const { return m_user.tmesh; }
+  const Operation_counts& counts() const { return m_counts; }
+  std::size_t number_of_faces() const { return m_number_of_faces; }
+
+  // \name Data of the elements
+  int index(const vertex_descriptor v) const { return get(m_vertex_index, v); }
+  const Vertex& data(const vertex_descriptor v) const { return m_vertices[index(v)]; }
+  const Vector& point(const vertex_descriptor v) const { return data(v).site.point; }
+  double size(const vertex_descriptor v) const { return data(v).site.size; }
+  bool is_frozen(const vertex_descriptor v) const { return data(v).is_frozen; }
+  bool is_fixed(const vertex_descriptor v) const { return data(v).is_frozen || is_corner(data(v).type); }
+
+  int curve(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).curve; }
+  bool is_on_curve(const halfedge_descriptor h) const { return curve(h) != -1; }
+  bool is_protected(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).is_protected; }
+
+  bool is_border_or_outside(const halfedge_descriptor h) const
+  {
+    return CGAL::is_border(h, tmesh()) || get(m_hint, face(h, tmesh())) == -1;
+  }
+  bool is_remeshed(const face_descriptor f) const { return get(m_hint, f) != -1; }
+  int hint(const halfedge_descriptor h) const { return get(m_hint, face(h, tmesh())); }
+  int hint(const face_descriptor f) const { return get(m_hint, f); }
+
+  bool is_inside(const edge_descriptor e) const
+  {
+    const halfedge_descriptor h = halfedge(e, tmesh());
+    return !is_border_or_outside(h) || !is_border_or_outside(opposite(h, tmesh()));
+  }
+
+  double length(const halfedge_descriptor h) const
+  {
+    return (point(target(h, tmesh())) - point(source(h, tmesh()))).norm();
+  }
+  // length over the size asked for, which is linear along an edge: its mean is taken
+  double relative_length(const halfedge_descriptor h) const
+  {
+    return 2. * length(h) / (size(source(h, tmesh())) + size(target(h, tmesh())));
+  }
+
+  // numbers of the ends, smaller first: an order of the edges that is the same for every mesh type
+  std::pair<int, int> edge_key(const halfedge_descriptor h) const
+  {
+    const int s = index(source(h, tmesh())), t = index(target(h, tmesh()));
+    return s < t ? std::make_pair(s, t) : std::make_pair(t, s);
+  }
+
+  // an upper bound of the numbers of the vertices
+  std::size_t number_of_vertex_slots() const { return m_vertices.size(); }
+
+  // the neighbour with the smallest number
+  vertex_descriptor first_neighbor(const vertex_descriptor v) const
+  {
+    vertex_descriptor first = source(halfedge(v, tmesh()), tmesh());
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
+      if(index(source(h, tmesh())) < index(first))
+        first = source(h, tmesh());
+    return first;
+  }
+
+  // the vertices that may change their place, in the order of their numbers
+  std::vector<vertex_descriptor> movable_vertices() const
+  {
+    std::vector<std::pair<int, vertex_descriptor> > numbered;
+    for(const vertex_descriptor v : vertices(tmesh()))
+      if(index(v) != -1 && !is_fixed(v) && has_remeshed_face(v))
+        numbered.push_back(std::make_pair(index(v), v));
+    std::sort(numbered.begin(), numbered.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<vertex_descriptor> result;
+    result.reserve(numbered.size());
+    for(const auto& entry : numbered)
+      result.push_back(entry.second);
+    return result;
+  }
+
+  // number of a remeshed face at a vertex, from a map of numbers; -1: there is none
+  template <typename FaceIndexMap>
+  int first_remeshed_face(const vertex_descriptor v, const FaceIndexMap& face_index) const
+  {
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
+      if(!is_border_or_outside(h))
+        return get(face_index, face(h, tmesh()));
+    return -1;
+  }
+
+  bool is_reference_face_remeshed(const int f) const { return m_is_reference_face_remeshed[f]; }
+
+  // parameter of a vertex on a curve that it lies on
+  double parameter(const vertex_descriptor v, const int curve) const
+  {
+    const Vertex& vertex = data(v);
+    return vertex.site.curve == curve ? vertex.site.parameter
+                                      : m_reference.end_parameter(curve, vertex.reference_vertex);
+  }
+
+  // \name Control
+  bool is_stopped()
+  {
+    if(!m_is_stopped && m_user.visitor.is_stop_requested())
+      m_is_stopped = true;
+    return m_is_stopped;
+  }
+  bool is_stopped() const { return m_is_stopped; }
+  bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }
+  void report_progress(const double fraction) { m_user.visitor.progress(fraction); }
+
+  // \name Operations
+  // The caller has made sure that they are legal.
+
+  // inserts a vertex at a site in the edge of h and joins it to the opposite vertices
+  vertex_descriptor split_edge(const halfedge_descriptor h, const Site& site)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    m_user.visitor.before_edge_split(edge(h, tm));
+    const Edge edge_data = get(m_edge, edge(h, tm));
+    const halfedge_descriptor o = opposite(h, tm);
+
+    const halfedge_descriptor h_new = CGAL::Euler::split_edge(h, tm);
+    const vertex_descriptor v = target(h_new, tm);
+    set_edge(edge(h_new, tm), edge_data);
+    if(!CGAL::is_border(h, tm))
+      split_quadrangle(h_new, CGAL::next(h, tm));
+    if(!CGAL::is_border(o, tm))
+      split_quadrangle(o, CGAL::next(opposite(h_new, tm), tm));
+
+    Vertex vertex;
+    vertex.site = site;
+    vertex.type = edge_data.curve == -1 ? SURFACE_VERTEX : CURVE_VERTEX;
+    put(m_vertex_index, v, add_vertex(vertex));
+    put_point(v, site.point);
+    ++m_counts.splits;
+    m_user.visitor.after_edge_split(v);
+    return v;
+  }
+
+  // removes the source of h; its target moves to a site
+  vertex_descriptor collapse_edge(const halfedge_descriptor h, const Site& site)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    m_user.visitor.before_edge_collapse(h);
+    const halfedge_descriptor o = opposite(h, tm);
+    const int kept = index(target(h, tm)), removed = index(source(h, tm));
+
+    // Euler::collapse_edge() keeps one edge of each of the two triangles, which one depends on the
+    // direction of the edge; ours are the ones at the target
+    struct Kept_edge { vertex_descriptor end; Edge data; };
+    std::vector<Kept_edge> kept_edges;
+    const halfedge_descriptor at_target[2] = {CGAL::next(h, tm), CGAL::prev(o, tm)};
+    for(int i = 0; i < 2; ++i)
+      if(!CGAL::is_border(i == 0 ? h : o, tm))
+      {
+        --m_number_of_faces;
+        kept_edges.push_back({i == 0 ? target(at_target[i], tm) : source(at_target[i], tm),
+                              get(m_edge, edge(at_target[i], tm))});
+      }
+
+    const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
+    for(const Kept_edge& e : kept_edges)
+      set_edge(CGAL::edge(v, e.end, tm).first, e.data);
+    put(m_vertex_index, v, kept);
+    m_free_vertices.push_back(removed);
+    m_vertices[kept].site = site;
+    put_point(v, site.point);
+    ++m_counts.collapses;
+    m_user.visitor.after_edge_collapse(v);
+    return v;
+  }
+
+  void flip_edge(const halfedge_descriptor h)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    m_user.visitor.before_edge_flip(edge(h, tm));
+    CGAL::Euler::flip_edge(h, tm);
+    ++m_counts.flips;
+    m_user.visitor.after_edge_flip(edge(h, tm));
+  }
+
+  void relocate(const vertex_descriptor v, const Site& site)
+  {
+    m_vertices[index(v)].site = site;
+    put_point(v, site.point);
+    ++m_counts.relocations;
+    m_user.visitor.after_vertex_relocation(v);
+  }
+
+  // the size map has changed
+  void update_sizes()
+  {
+    for(Vertex& vertex : m_vertices)
+      if(vertex.site.location.face != -1)
+        vertex.site.size = m_reference.sizes(vertex.site.location);
+  }
+
+  // remembers where on the reference a face lies, so that the next walk is short
+  void update_hints()
+  {
+    for(const face_descriptor f : faces(tmesh()))
+      if(is_remeshed(f))
+      {
+        const halfedge_descriptor h = halfedge(f, tmesh());
+        const Vector centroid = (point(source(h, tmesh())) + point(target(h, tmesh()))
+                                 + point(target(CGAL::next(h, tmesh()), tmesh()))) / 3.;
+        put(m_hint, f, m_reference.locator.walk(centroid, hint(f)).face);
+      }
+  }
+
+private:
+  bool has_remeshed_face(const vertex_descriptor v) const
+  {
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
+      if(!is_border_or_outside(h))
+        return true;
+    return false;
+  }
+
+  int make_initial_vertex(const int face, const int corner)
+  {
+    const int v = m_reference.surface.triangles().triangles[face][corner];
+    Vertex vertex;
+    vertex.site = m_reference.vertex_site(face, corner);
+    vertex.type = m_reference.vertex_classes[v];
+    vertex.reference_vertex = v;
+    return add_vertex(vertex);
+  }
+
+  int add_vertex(const Vertex& vertex)
+  {
+    if(m_free_vertices.empty())
+    {
+      m_vertices.push_back(vertex);
+      return static_cast<int>(m_vertices.size()) - 1;
+    }
+    const int i = m_free_vertices.back();
+    m_free_vertices.pop_back();
+    m_vertices[i] = vertex;
+    return i;
+  }
+
+  void make_initial_edge(const edge_descriptor e, const int reference_edge, const bool is_frozen)
+  {
+    Edge data;
+    data.curve = m_reference.curves.curve_of_edge[reference_edge];
+    data.is_constrained = get(m_user.edge_is_constrained, e);
+    data.is_protected = is_frozen;
+    put(m_edge, e, data);
+  }
+
+  // the edges between the part that is remeshed and the rest, and those that the user protects
+  void freeze_seam_and_protected_edges()
+  {
+    for(const edge_descriptor e : edges(tmesh()))
+    {
+      const halfedge_descriptor h = halfedge(e, tmesh());
+      const halfedge_descriptor o = opposite(h, tmesh());
+      Edge data = get(m_edge, e);
+      const bool is_seam = is_border_or_outside(h) != is_border_or_outside(o)
+                        && !CGAL::is_border(h, tmesh()) && !CGAL::is_border(o, tmesh());
+      if(!is_seam && !data.is_protected)
+        continue;
+      data.is_protected = true;
+      put(m_edge, e, data);
+      m_vertices[index(source(h, tmesh()))].is_frozen = true;
+      m_vertices[index(target(h, tmesh()))].is_frozen = true;
+    }
+  }
+
+  void set_edge(const edge_descriptor e, const Edge& data)
+  {
+    put(m_edge, e, data);
+    if(get(m_user.edge_is_constrained, e) != data.is_constrained)
+      put(m_user.edge_is_constrained, e, data.is_constrained);
+  }
+
+  // joins the targets of two halfedges of one face; both parts inherit what the face knew
+  void split_quadrangle(const halfedge_descriptor h, const halfedge_descriptor g)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    const face_descriptor f = face(h, tm);
+    const int hint = get(m_hint, f);
+    const auto patch = get(m_user.face_patch, f);
+    const halfedge_descriptor diagonal = CGAL::Euler::split_face(h, g, tm);
+    set_edge(edge(diagonal, tm), Edge());
+    for(const halfedge_descriptor d : {diagonal, opposite(diagonal, tm)})
+    {
+      put(m_hint, face(d, tm), hint);
+      put(m_user.face_patch, face(d, tm), patch);
+    }
+    ++m_number_of_faces;
+  }
+
+  void put_point(const vertex_descriptor v, const Vector& p)
+  {
+    put(m_user.points, v, m_user.traits.construct_point_3_object()(p[0], p[1], p[2]));
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H

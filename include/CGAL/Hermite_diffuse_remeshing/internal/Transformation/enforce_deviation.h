@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_ENFORCE_DEVIATION_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_ENFORCE_DEVIATION_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/measure.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Where a face deviates too much, asks the size map for the length that would do: a deviation goes
+// with the square of the length. Returns whether a smaller size could be asked for anywhere.
+template <typename UserMesh>
+bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviations<UserMesh>& deviations,
+                  const double maximum_deviation)
+{
+  // aim below the bound, and never change the size by more than this in one step
+  constexpr double safety = 0.8, largest_step = 0.35;
+  // a cap must lower the size by a visible amount to be worth another pass
+  constexpr double least_gain = 0.98;
+  bool is_changed = false;
+  const auto& tm = mesh.tmesh();
+  for(const auto& entry : deviations.faces)
+  {
+    if(entry.deviation <= maximum_deviation)
+      continue;
+    double longest = 0.;
+    for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
+      longest = (std::max)(longest, mesh.length(h));
+    const double size = (std::min)(longest, sizes(entry.location));
+    const double factor = (std::max)(largest_step, safety * std::sqrt(maximum_deviation / entry.deviation));
+    const double before = sizes(entry.location);
+    const double cap = (std::max)(factor * size, sizes.minimum_length());
+    if(cap < least_gain * before)
+    {
+      sizes.add_cap(entry.location, cap);
+      is_changed = true;
+    }
+  }
+  if(is_changed)
+  {
+    sizes.refine();
+    mesh.update_sizes();
+  }
+  return is_changed;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_ENFORCE_DEVIATION_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_SPLIT_LONG_EDGES_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_SPLIT_LONG_EDGES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// the middle of an edge, in the parameter of its curve or on the model above its middle
+template <typename UserMesh>
+Site middle_site(const Working_mesh<UserMesh>& mesh,
+                 const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  const auto s = source(h, mesh.tmesh()), t = target(h, mesh.tmesh());
+  const int curve = mesh.curve(h);
+  if(curve != -1)
+    return mesh.reference().curve_site(curve, (mesh.parameter(s, curve) + mesh.parameter(t, curve)) / 2.);
+  const auto side = mesh.is_border_or_outside(h) ? opposite(h, mesh.tmesh()) : h;
+  return mesh.reference().surface_site((mesh.point(s) + mesh.point(t)) / 2., mesh.hint(side));
+}
+
+// May the edge be split at the site? None of the triangles it makes may be turned over, and none
+// may be thinner than halving a triangle explains.
+template <typename UserMesh>
+bool is_split_legal(const Working_mesh<UserMesh>& mesh,
+                    const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
+{
+  if(mesh.is_protected(h) || mesh.is_full())
+    return false;
+  // the two halves of a good triangle have two thirds of its quality or more
+  constexpr double share_of_half = 0.4;
+  const Reference& reference = mesh.reference();
+  double before = (std::numeric_limits<double>::max)(), after = before;
+  for(const auto side : {h, opposite(h, mesh.tmesh())})
+  {
+    if(mesh.is_border_or_outside(side))
+      continue;
+    const Vector& a = mesh.point(source(side, mesh.tmesh()));
+    const Vector& b = mesh.point(target(side, mesh.tmesh()));
+    const Vector& c = mesh.point(target(CGAL::next(side, mesh.tmesh()), mesh.tmesh()));
+    before = (std::min)(before, face_score(mesh, side));
+    after = (std::min)({after, score(reference, a, site.point, c, mesh.hint(side)),
+                               score(reference, site.point, b, c, mesh.hint(side))});
+  }
+  return is_score_acceptable(after, share_of_half * before, score_floor);
+}
+
+// Splits the edges that are longer than `bound` times their size, longest first; edges that are
+// still too long after that are met again in the next round. Lengths halve, so the rounds end.
+template <typename UserMesh>
+std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound)
+{
+  typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
+  // halves the longest edge from the model's diameter to its rounding
+  constexpr int maximum_number_of_rounds = 48;
+  const std::size_t before = mesh.counts().splits;
+  for(int round = 0; round < maximum_number_of_rounds; ++round)
+  {
+    const std::size_t before_round = mesh.counts().splits;
+    const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h, const double length)
+                                     { return length > bound && !mesh.is_protected(h); });
+    for(const auto& candidate : queue)
+    {
+      if(mesh.is_stopped() || mesh.is_full())
+        return mesh.counts().splits - before;
+      const Site site = middle_site(mesh, candidate.halfedge);
+      if(is_split_legal(mesh, candidate.halfedge, site))
+        mesh.split_edge(candidate.halfedge, site);
+    }
+    if(mesh.counts().splits == before_round)
+      break;
+  }
+  return mesh.counts().splits - before;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_SPLIT_LONG_EDGES_H

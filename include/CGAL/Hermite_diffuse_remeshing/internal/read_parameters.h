@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_PARAMETERS_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_PARAMETERS_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Input_model.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
+#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/property_map.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// What the functions of the package read in the same way from their named parameters; all values are
+// checked here, before anything is built or modified.
+
+template <typename Pack>
+Feature_options read_feature_options(const Pack& pack)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  constexpr double degree = boost::math::constants::pi<double>() / 180.;
+  const auto read_angle = [](const char* name, const double angle)
+  {
+    check_parameter(name, angle, 0., 180.);
+    return angle < 180. ? angle * degree : std::numeric_limits<double>::infinity();
+  };
+  Feature_options options;
+  options.sharp_angle = read_angle("sharp_dihedral_angle",
+    choose_parameter(get_parameter(pack, internal_np::sharp_dihedral_angle), 40.));
+  options.corner_angle = read_angle("corner_angle",
+    choose_parameter(get_parameter(pack, internal_np::corner_angle), 60.));
+  options.apex_defect = read_angle("apex_angular_defect",
+    choose_parameter(get_parameter(pack, internal_np::apex_angular_defect), 30.));
+  return options;
+}
+
+template <typename Pack>
+Model_options read_model_options(const Pack& pack)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Model_options options;
+  options.degree = choose_parameter(get_parameter(pack, internal_np::polynomial_degree), 3);
+  check_parameter("polynomial_degree", options.degree, 2, 4);
+  options.hermite_weight = choose_parameter(get_parameter(pack, internal_np::hermite_weight), 0.3);
+  // with slopes only the position is not determined, with positions only the slopes do not count
+  check_parameter("hermite_weight", options.hermite_weight, 0.001, 0.999);
+  options.normals = choose_parameter(get_parameter(pack, internal_np::normal_estimation), FITTED_NORMALS);
+  if(options.normals == SMOOTH_NORMALS)
+    options.exponent = 1;                // averages the noise of the positions
+  return options;
+}
+
+// A length: zero or more, infinite at most.
+inline double checked_length(const char* name, const double length)
+{
+  check_parameter(name, length, 0., std::numeric_limits<double>::infinity());
+  return length;
+}
+
+// `diameter`: of the model, which the defaults are relative to.
+template <typename Pack>
+Size_options read_size_options(const Pack& pack, const double diameter)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  constexpr double smallest_part = 1e-4, largest_part = 0.1;
+  Size_options options;
+  options.approximation_error = choose_parameter(get_parameter(pack, internal_np::approximation_error), 0.01);
+  check_parameter("approximation_error", options.approximation_error, 0., std::numeric_limits<double>::max());
+  options.gradation = choose_parameter(get_parameter(pack, internal_np::gradation), 1.3);
+  check_parameter("gradation", options.gradation, 1., 2.);
+  options.minimum_length = checked_length("minimum_edge_length",
+    choose_parameter(get_parameter(pack, internal_np::minimum_edge_length), 0.));
+  options.maximum_length = checked_length("maximum_edge_length",
+    choose_parameter(get_parameter(pack, internal_np::maximum_edge_length), 0.));
+  const bool is_maximum_given = options.maximum_length > 0.;
+  if(options.minimum_length == 0.)
+    options.minimum_length = is_maximum_given ? (std::min)(smallest_part * diameter, options.maximum_length)
+                                              : smallest_part * diameter;
+  if(!is_maximum_given)
+    options.maximum_length = (std::max)(largest_part * diameter, options.minimum_length);
+  if(options.minimum_length > options.maximum_length)
+    refuse("minimum_edge_length", options.minimum_length, "it must not be larger than maximum_edge_length");
+  return options;
+}
+
+// Is an edge of the input a feature because the user says so, by his map or by patch labels?
+template <typename TriangleMesh, typename EdgeIsConstrainedMap, typename FacePatchMap>
+struct Is_user_edge
+{
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+
+  const TriangleMesh& tmesh;
+  const std::vector<face_descriptor>& face_descriptors;
+  EdgeIsConstrainedMap edge_is_constrained;
+  FacePatchMap face_patch;
+
+  bool operator()(const int face, const int side) const
+  {
+    halfedge_descriptor h = halfedge(face_descriptors[face], tmesh);
+    for(int k = 0; k < side; ++k)
+      h = CGAL::next(h, tmesh);
+    if(get(edge_is_constrained, edge(h, tmesh)))
+      return true;
+    const halfedge_descriptor o = opposite(h, tmesh);
+    return !CGAL::is_border(o, tmesh)
+        && get(face_patch, CGAL::face(h, tmesh)) != get(face_patch, CGAL::face(o, tmesh));
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_PARAMETERS_H

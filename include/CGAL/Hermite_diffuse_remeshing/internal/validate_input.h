@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_VALIDATE_INPUT_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_VALIDATE_INPUT_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// One sentence for the user: what was given, and what is accepted.
+template <typename Value>
+[[noreturn]] void refuse(const std::string& what, const Value& value, const std::string& accepted)
+{
+  std::ostringstream message;
+  message << what << " is " << value << ": " << accepted;
+  throw std::invalid_argument(message.str());
+}
+
+// A parameter in [smallest, largest]; NaN is never accepted.
+inline void check_parameter(const char* name, const double value, const double smallest, const double largest)
+{
+  if(value >= smallest && value <= largest)
+    return;
+  std::ostringstream accepted;
+  accepted << "it must be at least " << smallest;
+  if(largest != std::numeric_limits<double>::infinity())
+    accepted << " and at most " << largest;
+  refuse(name, value, accepted.str());
+}
+
+inline void check_positive_parameter(const char* name, const double value)
+{
+  if(!(value > 0.))
+    refuse(name, value, "it must be larger than zero");
+}
+
+// The user's mesh as indexed triangles: face i of the result is the i-th of faces(tmesh), with its
+// corners from source(halfedge(f)) on, and vertex i the i-th of vertices(tmesh). Refuses, with
+// std::invalid_argument and before anything is modified, a mesh without faces, faces that are not
+// triangles, and points that are not finite.
+template <typename TriangleMesh, typename VertexPointMap, typename GeomTraits>
+Indexed_triangles read_triangles(const TriangleMesh& tmesh, const VertexPointMap& points, const GeomTraits& traits,
+                                 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& face_descriptors)
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+
+  if(faces(tmesh).begin() == faces(tmesh).end())
+    throw std::invalid_argument("the mesh has no face: there is nothing to remesh");
+
+  const auto x = traits.compute_x_3_object();
+  const auto y = traits.compute_y_3_object();
+  const auto z = traits.compute_z_3_object();
+  auto index = get(CGAL::dynamic_vertex_property_t<int>(), tmesh);
+
+  Indexed_triangles result;
+  for(const vertex_descriptor v : vertices(tmesh))
+  {
+    const auto& p = get(points, v);
+    const Vector point(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
+    put(index, v, result.number_of_vertices());
+    if(!point.allFinite())
+      refuse("a coordinate of vertex " + std::to_string(result.number_of_vertices()), "not a finite number",
+             "all coordinates must be finite");
+    result.points.push_back(point);
+  }
+  for(const face_descriptor f : faces(tmesh))
+  {
+    const halfedge_descriptor h = halfedge(f, tmesh);
+    const std::size_t degree = CGAL::halfedges_around_face(h, tmesh).size();
+    if(degree != 3)
+      refuse("the number of sides of face " + std::to_string(result.number_of_faces()), degree,
+             "all faces must be triangles");
+    result.triangles.push_back({{get(index, source(h, tmesh)), get(index, target(h, tmesh)),
+                                 get(index, target(CGAL::next(h, tmesh), tmesh))}});
+    face_descriptors.push_back(f);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_VALIDATE_INPUT_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_NAMED_PARAMETERS_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_NAMED_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+// The parameters that CGAL does not have, and those of CGAL that may follow them in a chain.
+// A chain started by one of ours takes both kinds in any order; a chain started by a name of
+// CGAL takes names of CGAL only, because `Named_function_parameters` has a closed list.
+// tag type, tag, function
+#define CGAL_HDR_OWN_PARAMETERS(ADD)                                              \
+  ADD(approximation_error_t, approximation_error, approximation_error)           \
+  ADD(maximum_deviation_t, maximum_deviation, maximum_deviation)                 \
+  ADD(minimum_edge_length_t, minimum_edge_length, minimum_edge_length)           \
+  ADD(maximum_edge_length_t, maximum_edge_length, maximum_edge_length)           \
+  ADD(size_field_t, size_field, size_field)                                      \
+  ADD(gradation_t, gradation, gradation)                                         \
+  ADD(sharp_dihedral_angle_t, sharp_dihedral_angle, sharp_dihedral_angle)        \
+  ADD(corner_angle_t, corner_angle, corner_angle)                                \
+  ADD(apex_angular_defect_t, apex_angular_defect, apex_angular_defect)           \
+  ADD(polynomial_degree_t, polynomial_degree, polynomial_degree)                 \
+  ADD(hermite_weight_t, hermite_weight, hermite_weight)                          \
+  ADD(normal_estimation_t, normal_estimation, normal_estimation)                 \
+  ADD(vertex_location_map_t, vertex_location_map, vertex_location_map)           \
+  ADD(face_origin_map_t, face_origin_map, face_origin_map)                       \
+  ADD(vertex_size_map_t, vertex_size_map, vertex_size_map)                       \
+  ADD(face_deviation_map_t, face_deviation_map, face_deviation_map)
+
+#define CGAL_HDR_SHARED_PARAMETERS(ADD)                                           \
+  ADD(geom_traits_t, geom_traits, geom_traits)                                   \
+  ADD(vertex_point_t, vertex_point, vertex_point_map)                            \
+  ADD(vertex_normal_map_t, vertex_normal_map, vertex_normal_map)                 \
+  ADD(edge_is_constrained_t, edge_is_constrained, edge_is_constrained_map)       \
+  ADD(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map) \
+  ADD(protect_constraints_t, protect_constraints, protect_constraints)           \
+  ADD(face_patch_t, face_patch, face_patch_map)                                  \
+  ADD(maximum_number_of_faces_t, maximum_number_of_faces, maximum_number_of_faces) \
+  ADD(number_of_iterations_t, number_of_iterations, number_of_iterations)        \
+  ADD(do_self_intersection_tests_t, do_self_intersection_tests, do_self_intersection_tests) \
+  ADD(visitor_t, visitor, visitor)
+
+namespace CGAL {
+namespace internal_np {
+
+#define CGAL_HDR_TAG(TYPE, TAG, NAME) enum TYPE { TAG };
+CGAL_HDR_OWN_PARAMETERS(CGAL_HDR_TAG)
+#undef CGAL_HDR_TAG
+
+} // namespace internal_np
+
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+template <typename T, typename Tag, typename Base = internal_np::No_property>
+struct Parameter_chain
+  : public Named_function_parameters<T, Tag, Base>
+{
+  typedef Named_function_parameters<T, Tag, Base> Pack;
+
+  explicit Parameter_chain(const T& value) : Pack(value) {}
+  Parameter_chain(const T& value, const Base& base) : Pack(value, base) {}
+
+#define CGAL_HDR_LINK(TYPE, TAG, NAME)                                  \
+  template <typename K>                                                 \
+  Parameter_chain<K, internal_np::TYPE, Pack> NAME(const K& k) const    \
+  { return Parameter_chain<K, internal_np::TYPE, Pack>(k, *this); }
+  CGAL_HDR_OWN_PARAMETERS(CGAL_HDR_LINK)
+  CGAL_HDR_SHARED_PARAMETERS(CGAL_HDR_LINK)
+#undef CGAL_HDR_LINK
+};
+
+// The pack of CGAL behind either kind of argument: a chain has two bases that
+// are packs, its own and the nested one.
+template <typename T, typename Tag, typename Base>
+const Named_function_parameters<T, Tag, Base>&
+pack(const Named_function_parameters<T, Tag, Base>& np)
+{
+  return np;
+}
+
+template <typename T, typename Tag, typename Base>
+const Named_function_parameters<T, Tag, Base>&
+pack(const Parameter_chain<T, Tag, Base>& np)
+{
+  return np;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+
+namespace parameters {
+
+#define CGAL_HDR_START(TYPE, TAG, NAME)                                             \
+  template <typename K>                                                             \
+  Hermite_diffuse_remeshing::internal::Parameter_chain<K, internal_np::TYPE>        \
+  NAME(const K& k)                                                                  \
+  { return Hermite_diffuse_remeshing::internal::Parameter_chain<K, internal_np::TYPE>(k); }
+CGAL_HDR_OWN_PARAMETERS(CGAL_HDR_START)
+#undef CGAL_HDR_START
+
+} // namespace parameters
+} // namespace CGAL
+
+#undef CGAL_HDR_OWN_PARAMETERS
+#undef CGAL_HDR_SHARED_PARAMETERS
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_NAMED_PARAMETERS_H

@@ -1,0 +1,434 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_REMESH_H
+#define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_REMESH_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
+#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
+#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
+
+#include <CGAL/Real_timer.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Tells the visitor and the report of a stage.
+template <typename TriangleMesh, typename Visitor>
+class Stage_clock
+{
+  Remeshing_report<TriangleMesh>& m_report;
+  Visitor& m_visitor;
+  Real_timer m_timer;
+
+public:
+  Stage_clock(Remeshing_report<TriangleMesh>& report, Visitor& visitor)
+    : m_report(report), m_visitor(visitor)
+  {}
+
+  template <typename Work>
+  void operator()(const char* name, const Work& work)
+  {
+    m_visitor.stage_begins(name);
+    m_timer.reset();
+    m_timer.start();
+    work();
+    m_timer.stop();
+    m_report.stages.push_back(std::make_pair(std::string(name), m_timer.time()));
+    m_report.seconds += m_timer.time();
+    m_visitor.stage_ends(name);
+  }
+};
+
+// Writes where the vertices lie on the input, their sizes and the faces' origins and deviations.
+template <typename Mesh, typename Deviation, typename Pack>
+void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations, const Pack& pack)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  typedef typename Mesh::face_descriptor face_descriptor;
+  const auto location_map = choose_parameter(get_parameter(pack, internal_np::vertex_location_map),
+    Constant_property_map<vertex_descriptor, std::pair<std::size_t, Barycentric> >());
+  const auto size_map = choose_parameter(get_parameter(pack, internal_np::vertex_size_map),
+    Constant_property_map<vertex_descriptor, double>());
+  const auto origin_map = choose_parameter(get_parameter(pack, internal_np::face_origin_map),
+    Constant_property_map<face_descriptor, std::size_t>());
+  const auto deviation_map = choose_parameter(get_parameter(pack, internal_np::face_deviation_map),
+    Constant_property_map<face_descriptor, double>());
+
+  for(const vertex_descriptor v : vertices(mesh.tmesh()))
+    if(mesh.index(v) != -1)
+    {
+      const Location& location = mesh.data(v).site.location;
+      put(location_map, v, std::make_pair(std::size_t(location.face), location.coordinates));
+      put(size_map, v, mesh.size(v));
+    }
+  for(const Deviation& entry : deviations)
+  {
+    put(origin_map, entry.face, std::size_t(mesh.hint(entry.face)));
+    put(deviation_map, entry.face, entry.deviation);
+  }
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * remeshes a triangulated region of a polygon mesh: the sizes of the new faces follow the curvature of
+ * a smooth surface that is fitted to the vertices of the mesh and to normals estimated there, the
+ * new vertices lie on that surface, and sharp edges, corners and borders are kept.
+ *
+ * The surface is a Hermite diffuse interpolation: A. Rassineux, P. Villon, J.-M. Savignat, O. Stab,
+ * <em>Surface remeshing by local Hermite diffuse interpolation</em>, International Journal for
+ * Numerical Methods in Engineering 49, 2000. Feature edges become cubic splines, and the vertices on
+ * them lie on these. The mesh is changed in place by splits, collapses and flips of edges and by
+ * relocations of vertices. Removed elements are only marked: no garbage is collected.
+ *
+ * Time is proportional to the number of faces of the input and of the result, but for a factor
+ * logarithmic in the former. The result depends on the input and the parameters only, and
+ * scaling, rotating or translating the input does the same to it.
+ *
+ * A chain of parameters must begin with one of this package's own (\ref approximation_error and the
+ * others that \cgal does not have), then takes these and those of \cgal in any order.
+ *
+ * @tparam FaceRange a model of `Range` with value type `boost::graph_traits<TriangleMesh>::%face_descriptor`
+ * @tparam TriangleMesh a model of `MutableFaceGraph` and `FaceListGraph`
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * @param faces the faces to be remeshed; the others are left exactly as they are, and so are the
+ *        edges between the two. The surface is fitted to the whole mesh.
+ * @param tmesh the mesh
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{approximation_error}
+ *     \cgalParamDescription{relative error \f$ \varepsilon \f$ of an edge against an arc with the smallest
+ *       radius of curvature \f$ R \f$; the edge length follows from
+ *       \f$ \varepsilon = \frac{\xi^2}{8} \sqrt{1 + (1 - \xi^2/4)^{-2}},\ \xi = L/R \f$.
+ *       0.01 means 26 edges on a circle. With 0 the curvature is not looked at.}
+ *     \cgalParamType{`double`, a pure number, at least 0}
+ *     \cgalParamDefault{`0.01`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_deviation}
+ *     \cgalParamDescription{largest distance between the result and the fitted surface, measured at vertices,
+ *       middles of edges and centroids of faces of the result, and from the input's vertices to the
+ *       result. Where it is exceeded the sizes are lowered and the mesh is adapted again. The report says
+ *       whether it was met, and where it was not.}
+ *     \cgalParamType{`double`, a length, larger than 0}
+ *     \cgalParamDefault{infinity}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{minimum_edge_length}
+ *     \cgalParamDescription{lower bound of the sizes}
+ *     \cgalParamType{`double`, a length, at least 0; 0 means the default}
+ *     \cgalParamDefault{1e-4 of the diameter of the mesh: twice the largest distance of a vertex to the
+ *       centroid of the surface}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_edge_length}
+ *     \cgalParamDescription{upper bound of the sizes, reached where the surface is flat}
+ *     \cgalParamType{`double`, a length, at least 0; 0 means the default}
+ *     \cgalParamDefault{0.1 of the diameter of the mesh}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{size_field}
+ *     \cgalParamDescription{the user's own size at a point; the smallest of it, the curvature's size and the
+ *       upper bound is used. It is sampled at the vertices of the input, and between them where the
+ *       size is small against the faces.}
+ *     \cgalParamType{a unary function from `GeomTraits::Point_3` to a number type convertible to `double`,
+ *       a length}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{gradation}
+ *     \cgalParamDescription{largest ratio \f$ g \f$ of the sizes of two adjacent faces. It is applied to the
+ *       sizes before anything is remeshed, as the slope \f$ \sqrt{3} \ln g \f$ of the size with the
+ *       distance, which does not depend on the faces of the input.}
+ *     \cgalParamType{`double`, a ratio in [1, 2]}
+ *     \cgalParamDefault{`1.3`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sharp_dihedral_angle}
+ *     \cgalParamDescription{an edge is sharp if the normals of its two faces differ by more than this}
+ *     \cgalParamType{`double`, degrees in [0, 180]; 180 turns the detection off}
+ *     \cgalParamDefault{`40`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{corner_angle}
+ *     \cgalParamDescription{a vertex between two feature edges is a corner if these turn by more than this}
+ *     \cgalParamType{`double`, degrees in [0, 180]; 180 turns the detection off}
+ *     \cgalParamDefault{`60`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{apex_angular_defect}
+ *     \cgalParamDescription{a vertex without feature edges is an apex, which is kept like a corner, if the
+ *       sum of the angles of its faces differs from 360 degrees by more than this}
+ *     \cgalParamType{`double`, degrees in [0, 180]; 180 turns the detection off}
+ *     \cgalParamDefault{`30`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{edges that are features whatever their angle; kept up to date}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with key type `edge_descriptor` and value type `bool`}
+ *     \cgalParamDefault{no edge}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_is_constrained_map}
+ *     \cgalParamDescription{vertices that are corners}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type `bool`}
+ *     \cgalParamDefault{no vertex}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{protect_constraints}
+ *     \cgalParamDescription{if `true`, the edges of `edge_is_constrained_map` stay exactly as they are:
+ *       neither split, collapsed nor moved}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`false`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{labels; edges between faces of different labels are features. Kept up to date.}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with key type `face_descriptor` and a value type that
+ *       can be compared}
+ *     \cgalParamDefault{one label}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{polynomial_degree}
+ *     \cgalParamDescription{degree of the local polynomial; the paper's is 2}
+ *     \cgalParamType{`int`, 2, 3 or 4}
+ *     \cgalParamDefault{`3`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{hermite_weight}
+ *     \cgalParamDescription{weight \f$ t \f$ of the normals, \f$ 1-t \f$ being that of the positions}
+ *     \cgalParamType{`double`, in [0.001, 0.999]}
+ *     \cgalParamDefault{`0.3`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{normal_estimation}
+ *     \cgalParamDescription{how the normals at the vertices are estimated}
+ *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Normal_estimation`}
+ *     \cgalParamDefault{`FITTED_NORMALS`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{number_of_iterations}
+ *     \cgalParamDescription{upper bound of the passes of the adaptation, which ends by itself when nothing is
+ *       left to do}
+ *     \cgalParamType{`unsigned int`, at least 1}
+ *     \cgalParamDefault{`10`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_number_of_faces}
+ *     \cgalParamDescription{no edge is split beyond this number of remeshed faces}
+ *     \cgalParamType{`std::size_t`}
+ *     \cgalParamDefault{`std::numeric_limits<int>::max()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told about stages and operations and may stop the remeshing}
+ *     \cgalParamType{a model of `HermiteDiffuseRemeshingVisitor`, by value or by `std::ref`}
+ *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<TriangleMesh>`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_location_map}
+ *     \cgalParamDescription{output: where a vertex lies on the input, as the rank of a face in `faces(tmesh)`
+ *       before the call and barycentric coordinates with respect to `source(halfedge(f))`,
+ *       `target(halfedge(f))` and the third vertex}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
+ *       `std::pair<std::size_t, std::array<double, 3> >`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_origin_map}
+ *     \cgalParamDescription{output: rank of the face of the input that the centroid of a remeshed face lies on}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `face_descriptor` and value type `std::size_t`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_size_map}
+ *     \cgalParamDescription{output: the edge length that was asked for at a vertex}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type `double`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_deviation_map}
+ *     \cgalParamDescription{output: the largest distance to the fitted surface that was measured at a face}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `face_descriptor` and value type `double`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the vertices}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with key type `vertex_descriptor` and value type
+ *       `GeomTraits::Point_3`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a model of `HermiteDiffuseRemeshingTraits`}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * @return what was done, and which promises were kept
+ *
+ * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
+ *        that is not finite, or if a parameter is out of its range. The message names it, and the mesh is
+ *        unchanged.
+ *
+ * @sa `CGAL::Hermite_diffuse_surface`
+ */
+template <typename FaceRange, typename TriangleMesh,
+          typename NamedParameters = parameters::Default_named_parameters>
+Hermite_diffuse_remeshing::Remeshing_report<TriangleMesh>
+hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
+                       const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  using namespace CGAL::Hermite_diffuse_remeshing;
+  using namespace CGAL::Hermite_diffuse_remeshing::internal;
+
+  const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+
+  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
+  typedef typename GetVertexPointMap<TriangleMesh, Pack>::type VPM;
+  static_assert(std::is_floating_point<typename GT::FT>::value,
+                "hermite_diffuse_remesh() needs a kernel with floating point coordinates: "
+                "its constructions are least-squares fits, which are not exact");
+  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
+  const VPM vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                                   get_property_map(CGAL::vertex_point, tmesh));
+
+  typedef typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, Pack,
+    Static_boolean_property_map<edge_descriptor, false> >::type ECM;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::face_patch_t, Pack,
+    Constant_property_map<face_descriptor, int> >::type FPM;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::vertex_is_constrained_t, Pack,
+    Static_boolean_property_map<vertex_descriptor, false> >::type VCM;
+  const ECM ecm = choose_parameter<ECM>(get_parameter(pack, internal_np::edge_is_constrained));
+  const FPM fpm = choose_parameter<FPM>(get_parameter(pack, internal_np::face_patch));
+  const VCM vcm = choose_parameter<VCM>(get_parameter(pack, internal_np::vertex_is_constrained));
+  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
+
+  typedef Default_remeshing_visitor<TriangleMesh> Default_visitor;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
+    Visitor_reference;
+  typedef std::remove_reference_t<Visitor_reference> Visitor;
+  Default_visitor default_visitor;
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
+
+  // everything is read and checked before the first change
+  const Feature_options feature_options = read_feature_options(pack);
+  const Model_options model_options = read_model_options(pack);
+  const double maximum_deviation = choose_parameter(get_parameter(pack, internal_np::maximum_deviation),
+                                                    std::numeric_limits<double>::infinity());
+  check_positive_parameter("maximum_deviation", maximum_deviation);
+  const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
+  check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
+  const std::size_t maximum_number_of_faces =
+    choose_parameter(get_parameter(pack, internal_np::maximum_number_of_faces),
+                     std::size_t((std::numeric_limits<int>::max)()));
+
+  std::vector<face_descriptor> face_descriptors;
+  const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
+  Size_options size_options = read_size_options(pack, model_diameter(triangles));
+  if constexpr(!parameters::is_default_parameter<Pack, internal_np::size_field_t>::value)
+  {
+    const auto field = get_parameter(pack, internal_np::size_field);
+    size_options.user_size = [field, gt](const Vector& p)
+                             { return CGAL::to_double(field(gt.construct_point_3_object()(p[0], p[1], p[2]))); };
+  }
+
+  Remeshing_report<TriangleMesh> report;
+  report.number_of_input_faces = face_descriptors.size();
+  report.maximum_deviation = maximum_deviation;
+  Stage_clock<TriangleMesh, Visitor> stage(report, visitor);
+
+  std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
+  std::unique_ptr<Input_model> model;
+  stage("model", [&]
+  {
+    const Is_user_edge<TriangleMesh, ECM, FPM> is_user_edge{tmesh, face_descriptors, ecm, fpm};
+    model.reset(new Input_model(triangles, feature_options, model_options, is_user_edge,
+                                [&](const int v) { return get(vcm, vertex_descriptors[v]); }));
+  });
+
+  std::unique_ptr<Size_map> sizes;
+  stage("size map", [&]
+  { sizes.reset(new Size_map(model->surface, model->edges, model->curves, size_options)); });
+
+  const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves,
+                            model->surface, model->locator, *sizes};
+  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> User;
+  typedef Working_mesh<User> Mesh;
+
+  auto face_rank = get(CGAL::dynamic_face_property_t<int>(), tmesh);
+  for(std::size_t i = 0; i < face_descriptors.size(); ++i)
+    put(face_rank, face_descriptors[i], static_cast<int>(i));
+  std::vector<char> is_remeshed(face_descriptors.size(), false);
+  for(const face_descriptor f : faces)
+    is_remeshed[get(face_rank, f)] = true;
+
+  Mesh mesh(User{tmesh, vpm, ecm, fpm, gt, visitor}, reference, face_descriptors, is_remeshed,
+            [&](const halfedge_descriptor h) { return protect && get(ecm, edge(h, tmesh)); },
+            maximum_number_of_faces);
+  const Quality_statistics input_quality = measure_quality(mesh);
+  report.smallest_input_quality = input_quality.smallest;
+  report.mean_input_quality = input_quality.mean;
+
+  Remesher<User> remesher(mesh, static_cast<int>(iterations));
+  stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
+  if(!mesh.is_stopped())
+    stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
+
+  Deviations<User> deviations;
+  stage("deviation", [&]
+  {
+    deviations = measure_deviations(mesh);
+    // a deviation falls with the square of the size: each round at least halves what is too much
+    constexpr int maximum_number_of_rounds = 10;
+    for(int round = 0; round < maximum_number_of_rounds; ++round)
+    {
+      if(deviations.largest <= maximum_deviation || mesh.is_stopped() || mesh.is_full()
+         || !refine_sizes(mesh, *sizes, deviations, maximum_deviation))
+        break;
+      report.stop_reason = remesher.optimise(remesher.adapt());
+      deviations = measure_deviations(mesh);
+    }
+  });
+
+  fill_report(mesh, deviations, report);
+  report.number_of_iterations = remesher.number_of_iterations();
+  report.number_of_corners = std::count_if(model->vertex_classes.begin(), model->vertex_classes.end(), is_corner);
+  report.number_of_feature_edges = std::count_if(model->edge_classes.begin(), model->edge_classes.end(), is_feature);
+  report.number_of_curves = model->curves.curves.size();
+  write_output_maps(mesh, deviations.faces, pack);
+  return report;
+}
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * remeshes all faces of a triangle mesh; same as the above with `faces(tmesh)`.
+ */
+template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
+Hermite_diffuse_remeshing::Remeshing_report<TriangleMesh>
+hermite_diffuse_remesh(TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
+{
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  const std::vector<face_descriptor> all_faces(faces(tmesh).begin(), faces(tmesh).end());
+  return hermite_diffuse_remesh(all_faces, tmesh, np);
+}
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_REMESH_H
