@@ -137,13 +137,13 @@ public:
       };
 
       const Barycentric& l = current.coordinates;
-      const int number_of_zeros = (l[0] == 0.) + (l[1] == 0.) + (l[2] == 0.);
+      const int number_of_zeros = is_zero(l[0]) + is_zero(l[1]) + is_zero(l[2]);
       if(number_of_zeros == 0)
         break;
       for(int k = 0; k < 3; ++k)
-        if(number_of_zeros == 1 && l[previous(k)] == 0.)
+        if(number_of_zeros == 1 && is_zero(l[previous(k)]))
           visit(cut_mesh.neighbor(current.face, k));
-        else if(number_of_zeros == 2 && l[k] != 0.)
+        else if(number_of_zeros == 2 && !is_zero(l[k]))
           for(const int corner : cut_mesh.corners(cut_mesh.node(current.face, k)))
             visit(corner / 3);
       if(best.face == current.face)
@@ -156,12 +156,10 @@ public:
   // that rounding does not decide.
   Location canonical(const Location& location) const
   {
-    // relative to the face
-    constexpr double on_edge = 1e-9;
     const Barycentric& l = location.coordinates;
     for(int k = 0; k < 3; ++k)
     {
-      if(l[previous(k)] > on_edge || l[k] <= on_edge || l[next(k)] <= on_edge)
+      if(!is_zero(l[previous(k)]) || is_zero(l[k]) || is_zero(l[next(k)]))
         continue;
       const int g = m_surface.cut_mesh().neighbor(location.face, k);
       if(g == -1 || g > location.face)
@@ -226,6 +224,13 @@ public:
   }
 
 private:
+  // of a barycentric coordinate: far above its rounding, far below anything that can be seen
+  static bool is_zero(const double coordinate)
+  {
+    constexpr double on_edge = 1e-9;
+    return coordinate <= on_edge;
+  }
+
   // walk to the base point `target` of the moving frame; the reference's facets are the parameter
   // domain, so the foot of the perpendicular in direction z is taken on the first face
   Location walk_along(const Vector& target, const int face, const Vector& z) const

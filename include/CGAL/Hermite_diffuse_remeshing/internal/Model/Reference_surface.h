@@ -134,12 +134,12 @@ private:
 
     const double t = m_options.hermite_weight;
     Local_polynomial<Degree> polynomial;
-    double largest_weight = 0.;
+    double total_weight = 0.;
     for(const Node_weight& w : weights)
     {
       const Node& node = m_nodes[w.node];
       const double omega = interpolating_weight(w.weight, m_options.exponent);
-      largest_weight = (std::max)(largest_weight, omega);
+      total_weight += (std::min)(1., omega);
       const Vector d = (node.position - result.origin) / result.size;
       const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), z = d.dot(result.z_axis);
       polynomial.add_position(x, y, z, (1. - t) * omega);
@@ -148,10 +148,10 @@ private:
         polynomial.add_slopes(x, y, -node.normal.dot(result.x_axis) / nz,
                               -node.normal.dot(result.y_axis) / nz, t * omega);
     }
-    const double unit = double(weights.size()) * (std::min)(1., largest_weight);
-    polynomial.add_ridge(2, ridge * unit);
+    // the ridge is relative to the weight of the data, which changes continuously with the query
+    polynomial.add_ridge(2, ridge * total_weight);
     for(int order = 3; order <= Degree; ++order)
-      polynomial.add_ridge(order, cubic_ridge * unit);
+      polynomial.add_ridge(order, cubic_ridge * total_weight);
     if(polynomial.solve() > 0.)
       for(int i = 0; i < 6; ++i)
         result.a[i] = polynomial[i];

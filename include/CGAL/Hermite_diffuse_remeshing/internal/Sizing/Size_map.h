@@ -100,26 +100,9 @@ public:
 
   double operator()(const Location& location) const
   {
-    int c = location.face;
-    Barycentric l = location.coordinates;
-    while(m_cells[c].split_side != -1)
-    {
-      const int k = m_cells[c].split_side, j = next(k);
-      if(l[k] >= l[j])
-      {
-        l[k] -= l[j];
-        l[j] *= 2.;
-        c = m_cells[c].first_child;
-      }
-      else
-      {
-        l[j] -= l[k];
-        l[k] *= 2.;
-        c = m_cells[c].first_child + 1;
-      }
-    }
-    const std::array<int, 3>& s = m_cells[c].samples;
-    return l[0] * m_sizes[s[0]] + l[1] * m_sizes[s[1]] + l[2] * m_sizes[s[2]];
+    const std::pair<int, Barycentric> at = leaf(location);
+    const std::array<int, 3>& s = m_cells[at.first].samples;
+    return at.second[0] * m_sizes[s[0]] + at.second[1] * m_sizes[s[1]] + at.second[2] * m_sizes[s[2]];
   }
 
   double minimum_length() const { return m_options.minimum_length; }
@@ -129,17 +112,7 @@ public:
   void add_cap(const Location& location, const double size)
   {
     const double bounded = (std::max)(size, m_options.minimum_length);
-    int c = location.face;
-    Barycentric l = location.coordinates;
-    while(m_cells[c].split_side != -1)
-    {
-      const int k = m_cells[c].split_side, j = next(k);
-      const int child = l[k] >= l[j] ? 0 : 1;
-      l[child == 0 ? k : j] -= l[child == 0 ? j : k];
-      l[child == 0 ? j : k] *= 2.;
-      c = m_cells[c].first_child + child;
-    }
-    for(const int s : m_cells[c].samples)
+    for(const int s : m_cells[leaf(location).first].samples)
       m_samples[s].own_size = (std::min)(m_samples[s].own_size, bounded);
   }
 
@@ -164,6 +137,26 @@ public:
   }
 
 private:
+  // the cell without children at a location, and the coordinates in it
+  std::pair<int, Barycentric> leaf(const Location& location) const
+  {
+    // Points between two children are usual on regular meshes, and the sizes may differ there where
+    // only one of the children is bisected further: rounding must not choose.
+    constexpr double margin = 1e-9;
+    int c = location.face;
+    Barycentric l = location.coordinates;
+    while(m_cells[c].split_side != -1)
+    {
+      const int k = m_cells[c].split_side, j = next(k);
+      const int child = l[k] + margin >= l[j] ? 0 : 1;
+      const int kept = child == 0 ? k : j, replaced = child == 0 ? j : k;
+      l[kept] -= l[replaced];
+      l[replaced] *= 2.;
+      c = m_cells[c].first_child + child;
+    }
+    return std::make_pair(c, l);
+  }
+
   double clamped(const double size) const
   {
     return (std::max)(m_options.minimum_length, (std::min)(m_options.maximum_length, size));

@@ -15,6 +15,9 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
@@ -28,8 +31,12 @@ class Remesher
   int m_maximum_number_of_iterations;
   int m_number_of_iterations = 0;
 
-  // edges between 1/band and band times their size are left alone
-  static constexpr double first_band = 2., band = 1.4142135623730951;
+  // Edges between 1/band and band times their size are left alone. The paper's factor 2 comes first,
+  // because the longest and shortest edges shape the rest; then sqrt(2), the tightest band in which
+  // the halves of a split edge are not short again; then slowly wider ones, so that the few edges
+  // that would be split and collapsed in turn come to rest.
+  static constexpr double widest_band = 2., tightest_band = 1.4142135623730951, widening = 1.04;
+  static constexpr int number_of_tight_passes = 3;
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
   static constexpr double negligible_part = 1e-3;
   // triangles with a better score are not worth a search
@@ -43,13 +50,25 @@ public:
 
   int number_of_iterations() const { return m_number_of_iterations; }
 
+  // Halving makes lengths that are simple multiples of a size. A limit slightly off such numbers is not
+  // decided by rounding.
+  static constexpr double off_simple_ratios = 1.00137;
+
+  static double band(const int iteration)
+  {
+    if(iteration == 0)
+      return off_simple_ratios * widest_band;
+    const int widenings = (std::max)(0, iteration - number_of_tight_passes);
+    return off_simple_ratios * (std::min)(widest_band, tightest_band * std::pow(widening, widenings));
+  }
+
   // sizes: every edge into its band
   Stop_reason adapt()
   {
     for(int i = 0; i < m_maximum_number_of_iterations; ++i)
     {
       ++m_number_of_iterations;
-      const double bound = i == 0 ? first_band : band;
+      const double bound = band(i);
       std::size_t changes = split_long_edges(m_mesh, bound);
       changes += collapse_short_edges(m_mesh, 1. / bound, bound);
       changes += flip_edges(m_mesh);

@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_SURFACE_H
+#define CGAL_HERMITE_DIFFUSE_SURFACE_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
+#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
+
+#include <array>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * The class `Hermite_diffuse_surface` is the smooth surface that a triangle mesh stands for. It is
+ * fitted to the vertices and to normals estimated there, interpolates both, is continuous across
+ * edges, and stops at features: at a sharp edge each side has its own normal and curvature.
+ *
+ * A point of the surface is named by a face of the mesh and barycentric coordinates in it, as in
+ * `CGAL::Polygon_mesh_processing`'s location functions: the coordinates belong to
+ * `source(halfedge(f))`, `target(halfedge(f))` and the third vertex of the face. For a mesh whose
+ * vertices lie on a smooth surface with edges of length \f$ h \f$, the distance to it is of order
+ * \f$ h^4 \f$, the angle between the normals of order \f$ h^3 \f$, and the error of the curvatures
+ * of order \f$ h^2 \f$, with the default parameters.
+ *
+ * The object is immutable and refers to the mesh for its descriptors only: the geometry is copied.
+ * Queries from several threads are safe. An evaluation takes constant time, a projection without a
+ * hint time logarithmic in the number of faces.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam GeomTraits_ a model of `HermiteDiffuseRemeshingTraits`; by default the kernel of the points
+ *         of the mesh
+ *
+ * @sa `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`
+ */
+template <typename TriangleMesh,
+          typename GeomTraits_ = typename GetGeomTraits<TriangleMesh>::type>
+class Hermite_diffuse_surface
+{
+  typedef Hermite_diffuse_remeshing::internal::Input_model Input_model;
+  typedef Hermite_diffuse_remeshing::internal::Location Location;
+  typedef Hermite_diffuse_remeshing::internal::Vector Vector;
+
+public:
+  /// \name Types
+  /// @{
+  typedef GeomTraits_ Geom_traits;
+  typedef typename Geom_traits::FT FT;
+  typedef typename Geom_traits::Point_3 Point_3;
+  typedef typename Geom_traits::Vector_3 Vector_3;
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  /// a face and the barycentric coordinates in it, which are not negative and add up to one
+  typedef std::pair<face_descriptor, std::array<FT, 3> > Face_location;
+
+  /// principal curvatures, larger first, and unit directions of the tangent plane. A curvature is
+  /// negative where the surface bends away from its normal: both are on a sphere with outward normals.
+  struct Principal_curvatures_and_directions
+  {
+    FT maximum_curvature, minimum_curvature;
+    Vector_3 maximum_direction, minimum_direction;
+  };
+  /// @}
+
+private:
+  Geom_traits m_traits;
+  std::vector<face_descriptor> m_faces;
+  typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::const_type m_rank;
+  std::unique_ptr<Input_model> m_model;
+
+public:
+  /*!
+   * fits the surface to a mesh.
+   *
+   * @param tmesh the mesh; it must outlive the surface, without changes of its faces
+   * @param np an optional sequence of named parameters among `sharp_dihedral_angle`, `corner_angle`,
+   *        `apex_angular_defect`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
+   *        `face_patch_map`, `polynomial_degree`, `hermite_weight`, `normal_estimation`,
+   *        `vertex_point_map` and `geom_traits`, with the meaning and the defaults that they have for
+   *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`
+   *
+   * Takes time and memory proportional to the number of faces, but for the sorting of the edges and
+   * the search tree, which add a logarithmic factor.
+   *
+   * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
+   *        that is not finite, or if a parameter is out of its range
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Hermite_diffuse_surface(const TriangleMesh& tmesh,
+                                   const NamedParameters& np = parameters::default_values())
+    : m_rank(get(CGAL::dynamic_face_property_t<int>(), tmesh))
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    using namespace Hermite_diffuse_remeshing::internal;
+
+    const auto& pack = Hermite_diffuse_remeshing::internal::pack(np);
+    typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
+    static_assert(std::is_floating_point<FT>::value,
+                  "Hermite_diffuse_surface needs a kernel with floating point coordinates: "
+                  "its constructions are least-squares fits, which are not exact");
+    m_traits = choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits));
+    const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, tmesh));
+    const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
+                                      Static_boolean_property_map<edge_descriptor, false>());
+    const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
+                                      Static_boolean_property_map<vertex_descriptor, false>());
+    const auto fpm = choose_parameter(get_parameter(pack, internal_np::face_patch),
+                                      Constant_property_map<face_descriptor, int>());
+
+    const Feature_options feature_options = read_feature_options(pack);
+    const Model_options model_options = read_model_options(pack);
+    const Indexed_triangles triangles = read_triangles(tmesh, vpm, m_traits, m_faces);
+    for(std::size_t i = 0; i < m_faces.size(); ++i)
+      put(m_rank, m_faces[i], static_cast<int>(i));
+    const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
+    const Is_user_edge<TriangleMesh, std::decay_t<decltype(ecm)>, std::decay_t<decltype(fpm)> >
+      is_user_edge{tmesh, m_faces, ecm, fpm};
+    m_model.reset(new Input_model(triangles, feature_options, model_options, is_user_edge,
+                                  [&](const int v) { return get(vcm, vertex_descriptors[v]); }));
+  }
+
+  /// \name Evaluation
+  /// @{
+
+  /// returns the point of the surface at a location.
+  Point_3 point(const Face_location& location) const
+  {
+    return to_point(evaluate(location).point());
+  }
+
+  /// returns the unit normal at a location, on the side of the face.
+  Vector_3 normal(const Face_location& location) const
+  {
+    return to_vector(evaluate(location).normal());
+  }
+
+  /// returns the principal curvatures at a location, larger first, in one over the unit of length.
+  std::pair<FT, FT> principal_curvatures(const Face_location& location) const
+  {
+    const std::pair<double, double> k = evaluate(location).monge_form().curvatures();
+    return std::make_pair(FT(k.first), FT(k.second));
+  }
+
+  /// returns the principal curvatures and their directions at a location.
+  Principal_curvatures_and_directions
+  principal_curvatures_and_directions(const Face_location& location) const
+  {
+    const auto k = evaluate(location).monge_form().principal_curvatures();
+    return {FT(k.maximum), FT(k.minimum), to_vector(k.maximum_direction), to_vector(k.minimum_direction)};
+  }
+  /// @}
+
+  /// \name Location
+  /// @{
+
+  /// returns the location of the point of the facets of the mesh that is closest to `query`.
+  Face_location locate(const Point_3& query) const
+  {
+    return to_face_location(m_model->locator.closest(from_point(query)));
+  }
+
+  /// returns the location of the point of the surface that is closest to `query`, near the closest
+  /// facet: Newton's method on the local fits, from facet to facet.
+  Face_location project(const Point_3& query) const
+  {
+    const Vector p = from_point(query);
+    return to_face_location(m_model->locator.project(p, m_model->locator.closest(p).face).location);
+  }
+
+  /// same, from a location that is known to be near, without a search; stays on the hint's side of
+  /// every feature.
+  Face_location project(const Point_3& query, const Face_location& hint) const
+  {
+    return to_face_location(m_model->locator.project(from_point(query), get(m_rank, hint.first)).location);
+  }
+  /// @}
+
+private:
+  Hermite_diffuse_remeshing::internal::Local_quadric evaluate(const Face_location& location) const
+  {
+    return m_model->surface.evaluate(from_face_location(location));
+  }
+
+  Location from_face_location(const Face_location& location) const
+  {
+    Location result;
+    result.face = get(m_rank, location.first);
+    for(int k = 0; k < 3; ++k)
+      result.coordinates[k] = location.second[k];
+    return result;
+  }
+
+  Face_location to_face_location(const Location& location) const
+  {
+    Face_location result;
+    result.first = m_faces[location.face];
+    for(int k = 0; k < 3; ++k)
+      result.second[k] = FT(location.coordinates[k]);
+    return result;
+  }
+
+  Vector from_point(const Point_3& p) const
+  {
+    return Vector(m_traits.compute_x_3_object()(p), m_traits.compute_y_3_object()(p),
+                  m_traits.compute_z_3_object()(p));
+  }
+  Point_3 to_point(const Vector& v) const { return m_traits.construct_point_3_object()(FT(v[0]), FT(v[1]), FT(v[2])); }
+  Vector_3 to_vector(const Vector& v) const
+  {
+    return m_traits.construct_vector_3_object()(FT(v[0]), FT(v[1]), FT(v[2]));
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_SURFACE_H

@@ -1,0 +1,112 @@
+#ifndef ANALYTIC_SURFACES_H
+#define ANALYTIC_SURFACES_H
+
+// Irregular triangulations of surfaces whose points, normals and curvatures are known. All
+// vertices lie on the surface to rounding. The irregularity is made by a generator of its own, so
+// that every platform gets the same meshes.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace analytic {
+
+const double pi = 3.14159265358979323846;
+
+struct Random
+{
+  std::uint64_t state;
+
+  explicit Random(const std::uint64_t seed) : state(seed * 2862933555777941757ull + 3037000493ull) {}
+
+  double operator()(const double low, const double high)
+  {
+    state = state * 6364136223846793005ull + 1442695040888963407ull;
+    return low + (high - low) * double(state >> 11) / 9007199254740992.;
+  }
+};
+
+typedef std::array<double, 3> Point;
+
+struct Triangles
+{
+  std::vector<Point> points;
+  std::vector<std::array<std::size_t, 3> > faces;
+};
+
+// A grid over [0,1]^2, nu by nv cells, with jittered inner vertices and random diagonals, mapped by
+// `surface(u,v)`; periodic directions are closed.
+template <typename Surface>
+Triangles irregular_grid(const int nu, const int nv, const bool periodic_u, const bool periodic_v,
+                         const double jitter, const std::uint64_t seed, const Surface& surface)
+{
+  Random random(seed);
+  Triangles result;
+  const int columns = periodic_u ? nu : nu + 1, rows = periodic_v ? nv : nv + 1;
+  for(int j = 0; j < rows; ++j)
+    for(int i = 0; i < columns; ++i)
+    {
+      const bool inner_u = periodic_u || (i > 0 && i < nu), inner_v = periodic_v || (j > 0 && j < nv);
+      const double du = random(-jitter, jitter) / 2., dv = random(-jitter, jitter) / 2.;
+      // vertices of the border stay on it and slide along it
+      result.points.push_back(surface((i + (inner_u ? du : 0.)) / nu, (j + (inner_v ? dv : 0.)) / nv));
+    }
+  const auto vertex = [&](const int i, const int j)
+  { return std::size_t(j % rows) * columns + std::size_t(i % columns); };
+  for(int j = 0; j < nv; ++j)
+    for(int i = 0; i < nu; ++i)
+    {
+      const std::size_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
+      if(random(0., 1.) < 0.5)
+      {
+        result.faces.push_back({{a, b, c}});
+        result.faces.push_back({{a, c, d}});
+      }
+      else
+      {
+        result.faces.push_back({{a, b, d}});
+        result.faces.push_back({{b, c, d}});
+      }
+    }
+  return result;
+}
+
+struct Torus
+{
+  double R = 1., r = 0.4;
+
+  Point operator()(const double u, const double v) const
+  {
+    const double s = 2. * pi * u, t = 2. * pi * v, w = R + r * std::cos(t);
+    return {{w * std::cos(s), w * std::sin(s), r * std::sin(t)}};
+  }
+
+  double distance(const Point& p) const
+  {
+    return std::abs(std::hypot(std::hypot(p[0], p[1]) - R, p[2]) - r);
+  }
+
+  // principal curvatures with the sign of the package: negative where the body is convex
+  std::pair<double, double> curvatures(const Point& p) const
+  {
+    const double rho = std::hypot(p[0], p[1]);
+    const double k = -(rho - R) / r / rho;
+    return std::make_pair(k, -1. / r);
+  }
+
+  double largest_curvature() const { return (std::max)(1. / r, 1. / (R - r)); }
+
+  Triangles mesh(const int number_of_faces, const std::uint64_t seed) const
+  {
+    // cells about square in the middle
+    const int nv = int(std::lround(std::sqrt(number_of_faces / 2. * r / R)));
+    const int nu = int(std::lround(number_of_faces / 2. / nv));
+    return irregular_grid(nu, nv, true, true, 0.5, seed, *this);
+  }
+};
+
+} // namespace analytic
+
+#endif // ANALYTIC_SURFACES_H
