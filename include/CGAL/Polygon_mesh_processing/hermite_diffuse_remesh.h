@@ -155,7 +155,7 @@ namespace Polygon_mesh_processing {
  *       upper bound is used. It is sampled at the vertices of the input, and between them where the
  *       size is small against the faces.}
  *     \cgalParamType{a unary function from `GeomTraits::Point_3` to a number type convertible to `double`,
- *       a length}
+ *       a length larger than 0}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{gradation}
@@ -339,13 +339,8 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
 
   std::vector<face_descriptor> face_descriptors;
   const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
-  Size_options size_options = read_size_options(pack, model_diameter(triangles));
-  if constexpr(!parameters::is_default_parameter<Pack, internal_np::size_field_t>::value)
-  {
-    const auto field = get_parameter(pack, internal_np::size_field);
-    size_options.user_size = [field, gt](const Vector& p)
-                             { return CGAL::to_double(field(gt.construct_point_3_object()(p[0], p[1], p[2]))); };
-  }
+  Size_options size_options = read_size_options(pack, gt, model_diameter(triangles));
+  size_options.maximum_deviation = maximum_deviation;
 
   Remeshing_report<TriangleMesh> report;
   report.number_of_input_faces = face_descriptors.size();
@@ -400,7 +395,7 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
       if(deviations.largest <= maximum_deviation || mesh.is_stopped() || mesh.is_full()
          || !refine_sizes(mesh, *sizes, deviations, maximum_deviation))
         break;
-      report.stop_reason = remesher.optimise(remesher.adapt());
+      report.stop_reason = remesher.optimise(remesher.adapt_again());
       deviations = measure_deviations(mesh);
     }
   });

@@ -19,7 +19,9 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <limits>
+#include <sstream>
 #include <vector>
 
 namespace CGAL {
@@ -67,16 +69,9 @@ Model_options read_model_options(const Pack& pack)
   return options;
 }
 
-// A length: zero or more, infinite at most.
-inline double checked_length(const char* name, const double length)
-{
-  check_parameter(name, length, 0., std::numeric_limits<double>::infinity());
-  return length;
-}
-
 // `diameter`: of the model, which the defaults are relative to.
-template <typename Pack>
-Size_options read_size_options(const Pack& pack, const double diameter)
+template <typename Pack, typename GeomTraits>
+Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const double diameter)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -86,10 +81,26 @@ Size_options read_size_options(const Pack& pack, const double diameter)
   check_parameter("approximation_error", options.approximation_error, 0., std::numeric_limits<double>::max());
   options.gradation = choose_parameter(get_parameter(pack, internal_np::gradation), 1.3);
   check_parameter("gradation", options.gradation, 1., 2.);
-  options.minimum_length = checked_length("minimum_edge_length",
-    choose_parameter(get_parameter(pack, internal_np::minimum_edge_length), 0.));
-  options.maximum_length = checked_length("maximum_edge_length",
-    choose_parameter(get_parameter(pack, internal_np::maximum_edge_length), 0.));
+  options.minimum_length = choose_parameter(get_parameter(pack, internal_np::minimum_edge_length), 0.);
+  check_parameter("minimum_edge_length", options.minimum_length, 0., std::numeric_limits<double>::max());
+  options.maximum_length = choose_parameter(get_parameter(pack, internal_np::maximum_edge_length), 0.);
+  check_parameter("maximum_edge_length", options.maximum_length, 0., std::numeric_limits<double>::infinity());
+  if constexpr(!parameters::is_default_parameter<Pack, internal_np::size_field_t>::value)
+  {
+    const auto field = get_parameter(pack, internal_np::size_field);
+    const auto construct_point = traits.construct_point_3_object();
+    options.user_size = [field, construct_point](const Vector& p)
+    {
+      const double size = CGAL::to_double(field(construct_point(p[0], p[1], p[2])));
+      if(!(size > 0.))
+      {
+        std::ostringstream place;
+        place << "the value of size_field at (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+        refuse(place.str(), size, "a size must be larger than zero");
+      }
+      return size;
+    };
+  }
   const bool is_maximum_given = options.maximum_length > 0.;
   if(options.minimum_length == 0.)
     options.minimum_length = is_maximum_given ? (std::min)(smallest_part * diameter, options.maximum_length)
@@ -113,16 +124,16 @@ struct Is_user_edge
   EdgeIsConstrainedMap edge_is_constrained;
   FacePatchMap face_patch;
 
-  bool operator()(const int face, const int side) const
+  bool operator()(const int f, const int side) const
   {
-    halfedge_descriptor h = halfedge(face_descriptors[face], tmesh);
+    halfedge_descriptor h = halfedge(face_descriptors[f], tmesh);
     for(int k = 0; k < side; ++k)
-      h = CGAL::next(h, tmesh);
+      h = next(h, tmesh);
     if(get(edge_is_constrained, edge(h, tmesh)))
       return true;
     const halfedge_descriptor o = opposite(h, tmesh);
     return !CGAL::is_border(o, tmesh)
-        && get(face_patch, CGAL::face(h, tmesh)) != get(face_patch, CGAL::face(o, tmesh));
+        && get(face_patch, face(h, tmesh)) != get(face_patch, face(o, tmesh));
   }
 };
 

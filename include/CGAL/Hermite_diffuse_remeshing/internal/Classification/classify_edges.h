@@ -37,6 +37,54 @@ inline double dihedral_deviation(const Indexed_triangles& surface, const int fac
   return angle_between(n1, n2);
 }
 
+// On scans and coarse meshes single edges pass the limit by noise. A connected set of feature edges is
+// taken for noise if all of these hold: it has only sharp edges, and fewer than six; it has a free
+// end, a vertex with no second feature edge; none of its angles is 1.5 times the limit or more. A
+// crease is longer, sharper, closed, or ends at other features.
+inline void discard_isolated_sharp_edges(const Indexed_triangles& surface, const Edge_table& edges,
+                                         const double sharp_angle, std::vector<Edge_class>& classes)
+{
+  constexpr int least_number_of_edges = 6;
+  constexpr double clearly_sharp = 1.5;
+
+  std::vector<std::vector<int> > edges_of_vertex(surface.number_of_vertices());
+  for(int e = 0; e < edges.number_of_edges(); ++e)
+    if(is_feature(classes[e]))
+      for(const int v : edges.vertices(e))
+        edges_of_vertex[v].push_back(e);
+
+  std::vector<char> is_seen(edges.number_of_edges(), false);
+  std::vector<int> component;
+  for(int seed = 0; seed < edges.number_of_edges(); ++seed)
+  {
+    if(is_seen[seed] || !is_feature(classes[seed]))
+      continue;
+    component.assign(1, seed);
+    is_seen[seed] = true;
+    bool is_noise = true, has_free_end = false;
+    for(std::size_t i = 0; i < component.size(); ++i)
+    {
+      const int e = component[i];
+      is_noise = is_noise && classes[e] == SHARP_EDGE
+              && dihedral_deviation(surface, edges.side(e, 0).face, edges.side(e, 1).face)
+                 < clearly_sharp * sharp_angle;
+      for(const int v : edges.vertices(e))
+      {
+        has_free_end = has_free_end || edges_of_vertex[v].size() == 1;
+        for(const int other : edges_of_vertex[v])
+          if(!is_seen[other])
+          {
+            is_seen[other] = true;
+            component.push_back(other);
+          }
+      }
+    }
+    if(is_noise && has_free_end && component.size() < least_number_of_edges)
+      for(const int e : component)
+        classes[e] = INTERIOR_EDGE;
+  }
+}
+
 // `is_constrained(face, side)` tells the edges that the user wants to keep.
 // `sharp_angle` is in radians; an edge is sharp if the normals of its faces differ by more.
 template <typename IsConstrained>
@@ -63,6 +111,7 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
     else if(dihedral_deviation(surface, s.face, t.face) > sharp_angle)
       classes[e] = SHARP_EDGE;
   }
+  discard_isolated_sharp_edges(surface, edges, sharp_angle, classes);
   return classes;
 }
 

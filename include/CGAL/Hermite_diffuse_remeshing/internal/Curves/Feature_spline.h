@@ -162,7 +162,13 @@ private:
     for(int i = 0; i < ns; ++i)
       sagitta[i] = (turn[i].norm() + turn[(i + 1) % n].norm()) / 16. * chord(i).squaredNorm();
 
-    std::vector<bool> straight(ns, false);
+    std::vector<bool> straight(ns, false), alternates(ns, false);
+    for(int i = 0; i < ns; ++i)
+    {
+      const Vector& t0 = turn[i];
+      const Vector& t1 = turn[(i + 1) % n];
+      alternates[i] = t0.dot(t1) < 0. && chord(i).norm() * (std::min)(t0.norm(), t1.norm()) > zigzag;
+    }
     for(int i = 0; i < ns; ++i)
     {
       double neighbours = 0.;
@@ -175,11 +181,10 @@ private:
         has_neighbour = true;
         neighbours = (std::max)(neighbours, sagitta[j]);
       }
-      const Vector& t0 = turn[i];
-      const Vector& t1 = turn[(i + 1) % n];
-      const double l = chord(i).norm();
-      const bool alternates = t0.dot(t1) < 0. && l * (std::min)(t0.norm(), t1.norm()) > zigzag;
-      straight[i] = !has_neighbour || alternates || sagitta[i] > credible_ratio * neighbours;
+      // at an end there is no second turn to compare: the zigzag of the neighbour goes on
+      const bool is_zigzag_end = !is_closed && ns > 1
+                              && ((i == 0 && alternates[1]) || (i == ns - 1 && alternates[ns-2]));
+      straight[i] = !has_neighbour || alternates[i] || is_zigzag_end || sagitta[i] > credible_ratio * neighbours;
     }
     return straight;
   }

@@ -41,11 +41,13 @@ struct Feature_curve
   }
 };
 
-// All feature curves, and the curve of every edge of the reference (-1: not a feature edge).
+// All feature curves; for every edge of the reference its curve (-1: not a feature edge) and its place
+// in the curve.
 struct Feature_curves
 {
   std::vector<Feature_curve> curves;
   std::vector<int> curve_of_edge;
+  std::vector<int> segment_of_edge;
 };
 
 namespace chaining {
@@ -89,6 +91,7 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
 {
   Feature_curves result;
   result.curve_of_edge.assign(edges.number_of_edges(), -1);
+  result.segment_of_edge.assign(edges.number_of_edges(), -1);
 
   // the two feature edges at every vertex of class CURVE_VERTEX
   std::vector<std::array<int, 2> > feature_edges(surface.number_of_vertices(), {{-1, -1}});
@@ -101,7 +104,10 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
                          const int first, const int last)
   {
     for(int i = first; i < last; ++i)
+    {
       result.curve_of_edge[es[i]] = static_cast<int>(result.curves.size());
+      result.segment_of_edge[es[i]] = i - first;
+    }
     result.curves.push_back({std::vector<int>(vs.begin() + first, vs.begin() + last + 1),
                              std::vector<int>(es.begin() + first, es.begin() + last),
                              Feature_spline(spline, first, last)});

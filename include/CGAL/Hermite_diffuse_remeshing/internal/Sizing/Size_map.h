@@ -33,6 +33,7 @@ struct Size_options
   double approximation_error = 0.01;      // 0: the curvature is not looked at
   double minimum_length = 0., maximum_length = 0.;
   double gradation = 1.3;
+  double maximum_deviation = std::numeric_limits<double>::infinity();
   // the user's size at a point, infinite where there is none
   std::function<double(const Vector&)> user_size;
 };
@@ -164,7 +165,10 @@ private:
 
   double size_of_curvature(const double curvature) const
   {
-    return curvature > 0. ? m_length_over_radius / curvature : std::numeric_limits<double>::infinity();
+    if(!(curvature > 0.))
+      return std::numeric_limits<double>::infinity();
+    return (std::min)(m_length_over_radius / curvature,
+                      length_of_deviation(m_options.maximum_deviation, 1. / curvature));
   }
 
   double user_size(const Vector& p) const
@@ -174,7 +178,7 @@ private:
 
   double surface_size(const Location& location) const
   {
-    if(m_options.approximation_error <= 0.)
+    if(m_options.approximation_error <= 0. && m_options.maximum_deviation == std::numeric_limits<double>::infinity())
       return std::numeric_limits<double>::infinity();
     const std::pair<double, double> k = m_surface.evaluate(location).monge_form().curvatures();
     return size_of_curvature((std::max)(std::abs(k.first), std::abs(k.second)));
@@ -308,8 +312,11 @@ private:
       return true;
     // the size could have a peak or a hollow between equal corners
     const double interpolated = (s[k] + s[next(k)]) / 2.;
-    const double own = m_samples[middle_of_side(cell, k)].own_size;
-    return own < interpolated / (1. + size_tolerance) || own > (1. + size_tolerance) * interpolated;
+    const int middle = middle_of_side(cell, k);
+    // the cell at the other side may have it already, graded
+    const double at_middle = middle < static_cast<int>(m_sizes.size()) ? m_sizes[middle]
+                                                                       : m_samples[middle].own_size;
+    return at_middle < interpolated / (1. + size_tolerance) || at_middle > (1. + size_tolerance) * interpolated;
   }
 
   void bisect(const int c)
@@ -330,12 +337,18 @@ private:
     m_sizes.resize(m_samples.size());
     for(std::size_t i = 0; i < m_samples.size(); ++i)
       m_sizes[i] = m_samples[i].own_size;
-    std::vector<Weighted_link> links;
+    if(m_options.gradation == 1.)
+    {
+      // one size for all
+      std::fill(m_sizes.begin(), m_sizes.end(), *std::min_element(m_sizes.begin(), m_sizes.end()));
+      return;
+    }
+    std::vector<std::array<int, 3> > leaves;
     for(const Cell& cell : m_cells)
       if(cell.split_side == -1)
-        for(int k = 0; k < 3; ++k)
-          links.push_back({cell.samples[k], cell.samples[next(k)], side_length(cell, k)});
-    limit_gradation(links, slope_of_gradation(m_options.gradation), m_sizes);
+        leaves.push_back(cell.samples);
+    limit_gradation(leaves, [this](const int i) -> const Vector& { return m_samples[i].position; },
+                    slope_of_gradation(m_options.gradation), m_sizes);
   }
 };
 

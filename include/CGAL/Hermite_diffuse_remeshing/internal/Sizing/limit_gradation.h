@@ -9,6 +9,10 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_LIMIT_GRADATION_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_LIMIT_GRADATION_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <queue>
@@ -28,56 +32,76 @@ inline double slope_of_gradation(const double gradation)
   return std::sqrt(3.) * std::log(gradation);
 }
 
-struct Weighted_link
+// The smallest size that the slope allows at p for the sizes s at a and t at b, linear in between:
+// the minimum over the points x of the segment of size(x) + slope |p - x|.
+inline double bound_from_segment(const Vector& a, const Vector& b, const double s, const double t,
+                                 const Vector& p, const double slope)
 {
-  int first, second;
-  double length;
-};
+  const double length = (b - a).norm();
+  const double at_ends = (std::min)(s + slope * (p - a).norm(), t + slope * (p - b).norm());
+  if(!(length > 0.))
+    return at_ends;
+  const Vector direction = (b - a) / length;
+  const double foot = (p - a).dot(direction);
+  const double height = (p - a - foot * direction).norm();
+  const double sine = (t - s) / (slope * length);          // of the angle at which the front arrives
+  if(!(std::abs(sine) < 1.))
+    return at_ends;
+  const double x = foot - height * sine / std::sqrt(1. - sine * sine);
+  if(x <= 0. || x >= length)
+    return at_ends;
+  return s + (t - s) * x / length + slope * std::hypot(foot - x, height);
+}
 
-// Lowers the sizes until size_j <= size_i + slope * length for all links, by Dijkstra's algorithm
-// from the smallest size up: sizes are final when they leave the queue.
-inline void limit_gradation(const std::vector<Weighted_link>& links, const double slope,
-                            std::vector<double>& sizes)
+// Lowers the sizes until they rise by no more than `slope` per length along the triangles. Fast
+// marching from the smallest size up: a size is final when it leaves the queue, and is passed on
+// along the sides and across the triangles.
+// `triangles`: three indices each, into `sizes` and `point(index)`.
+template <typename PointOfIndex>
+void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
+                     const double slope, std::vector<double>& sizes)
 {
-  std::vector<int> first_link(sizes.size() + 1, 0);
-  for(const Weighted_link& link : links)
-  {
-    ++first_link[link.first + 1];
-    ++first_link[link.second + 1];
-  }
+  std::vector<int> first(sizes.size() + 1, 0);
+  for(const std::array<int, 3>& triangle : triangles)
+    for(const int i : triangle)
+      ++first[i + 1];
   for(std::size_t i = 0; i < sizes.size(); ++i)
-    first_link[i+1] += first_link[i];
-  std::vector<std::pair<int, double> > neighbors(first_link.back());
-  std::vector<int> next_free(first_link.begin(), first_link.end() - 1);
-  for(const Weighted_link& link : links)
-  {
-    neighbors[next_free[link.first]++] = std::make_pair(link.second, link.length);
-    neighbors[next_free[link.second]++] = std::make_pair(link.first, link.length);
-  }
+    first[i+1] += first[i];
+  std::vector<int> incident(first.back()), next_free(first.begin(), first.end() - 1);
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+    for(const int i : triangles[f])
+      incident[next_free[i]++] = static_cast<int>(f);
 
   typedef std::pair<double, int> Entry;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-  const auto relax_neighbors = [&](const int i)
-  {
-    for(int k = first_link[i]; k < first_link[i+1]; ++k)
-    {
-      const int j = neighbors[k].first;
-      const double bound = sizes[i] + slope * neighbors[k].second;
-      if(bound < sizes[j])
-      {
-        sizes[j] = bound;
-        queue.push(Entry(bound, j));
-      }
-    }
-  };
   for(std::size_t i = 0; i < sizes.size(); ++i)
-    queue.push(Entry(sizes[i], static_cast<int>(i)));
+    if(first[i+1] > first[i])
+      queue.push(Entry(sizes[i], static_cast<int>(i)));
   while(!queue.empty())
   {
     const Entry top = queue.top();
     queue.pop();
-    if(top.first <= sizes[top.second])
-      relax_neighbors(top.second);
+    const int i = top.second;
+    if(top.first > sizes[i])
+      continue;
+    for(int n = first[i]; n < first[i+1]; ++n)
+    {
+      const std::array<int, 3>& triangle = triangles[incident[n]];
+      for(int k = 0; k < 3; ++k)
+      {
+        if(triangle[k] == i)
+          continue;
+        const int target = triangle[k];
+        const int other = triangle[next(k)] == i ? triangle[previous(k)] : triangle[next(k)];
+        const double bound = bound_from_segment(point(i), point(other), sizes[i], sizes[other],
+                                                point(target), slope);
+        if(bound < sizes[target])
+        {
+          sizes[target] = bound;
+          queue.push(Entry(bound, target));
+        }
+      }
+    }
   }
 }
 

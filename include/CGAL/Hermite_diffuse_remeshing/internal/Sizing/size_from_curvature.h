@@ -52,6 +52,13 @@ inline double length_of_error(const double error)
   return std::sqrt(u);
 }
 
+// Edge length of an equilateral triangle inscribed in a sphere whose middle is `deviation` below the
+// sphere: the circumscribed circle has the radius L/sqrt(3) and the sagitta L^2/(6 R).
+inline double length_of_deviation(const double deviation, const double radius)
+{
+  return std::sqrt(6. * deviation * radius);
+}
+
 } // namespace internal
 } // namespace Hermite_diffuse_remeshing
 } // namespace CGAL

@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_locator.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
 
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -39,12 +40,68 @@ struct Reference
   const Reference_locator& locator;
   Size_map& sizes;
 
+  // The fits at the two sides of a feature and its spline meet at the feature's vertices, but only
+  // nearly in between. This displacement closes the gap: along a feature side of a face it moves the
+  // fit onto the spline, and it fades with the distance from the side. It is zero on the other
+  // sides, where the foot on the feature is one of its vertices, so the surface stays continuous.
+  Vector feature_displacement(const Location& location) const
+  {
+    Vector result = Vector::Zero();
+    for(int k = 0; k < 3; ++k)
+    {
+      const int edge = edges.edge(location.face, k);
+      const int c = curves.curve_of_edge[edge];
+      const double share = 1. - location.coordinates[previous(k)];
+      if(c == -1 || share <= 0.)
+        continue;
+      const double u = location.coordinates[next(k)] / share;
+      if(u <= 0. || u >= 1.)
+        continue;
+      const Feature_curve& curve = curves.curves[c];
+      const int segment = curves.segment_of_edge[edge];
+      const bool is_forward = surface.triangles().triangles[location.face][k] == curve.vertices[segment];
+      const double v = is_forward ? u : 1. - u;
+      const double s = (1. - v) * curve.spline.parameter(segment) + v * curve.spline.parameter(segment + 1);
+      Location foot;
+      foot.face = location.face;
+      foot.coordinates.fill(0.);
+      foot.coordinates[k] = 1. - u;
+      foot.coordinates[next(k)] = u;
+      result += share * share * (curve.spline.point(s) - surface.evaluate(foot).point());
+    }
+    return result;
+  }
+
+  Vector surface_point(const Location& location) const
+  {
+    return surface.evaluate(location).point() + feature_displacement(location);
+  }
+
+  struct Nearest
+  {
+    Location location;
+    double distance;
+  };
+
+  // distance of p to the surface near a face of the reference
+  Nearest nearest(const Vector& p, const int hint, const double tolerance) const
+  {
+    const Reference_locator::Projection projection = locator.project(p, hint, tolerance);
+    const Vector gap = p - projection.quadric.point();
+    const Vector normal = projection.quadric.normal();
+    const Vector displaced = gap - feature_displacement(projection.location);
+    // what is left along the surface when Newton's method has converged is no distance
+    if((gap - gap.dot(normal) * normal).norm() <= 2. * tolerance * projection.quadric.size)
+      return {projection.location, std::abs(displaced.dot(normal))};
+    return {projection.location, displaced.norm()};
+  }
+
   // on the model, above the point of the facets that is closest to p near a face of the reference
   Site surface_site(const Vector& p, const int hint) const
   {
     Site site;
     site.location = locator.walk(p, hint);
-    site.point = surface.evaluate(site.location).point();
+    site.point = surface_point(site.location);
     site.size = sizes(site.location);
     return site;
   }

@@ -63,9 +63,15 @@ public:
   }
 
   // sizes: every edge into its band
-  Stop_reason adapt()
+  Stop_reason adapt() { return adapt_from(0); }
+
+  // after some sizes have changed
+  Stop_reason adapt_again() { return adapt_from(1); }
+
+private:
+  Stop_reason adapt_from(const int first_iteration)
   {
-    for(int i = 0; i < m_maximum_number_of_iterations; ++i)
+    for(int i = first_iteration; i < first_iteration + m_maximum_number_of_iterations; ++i)
     {
       ++m_number_of_iterations;
       const double bound = band(i);
@@ -74,7 +80,7 @@ public:
       changes += flip_edges(m_mesh);
       balance_vertices(m_mesh);
       m_mesh.update_hints();
-      m_mesh.report_progress(double(i + 1) / m_maximum_number_of_iterations);
+      m_mesh.report_progress(double(i + 1 - first_iteration) / m_maximum_number_of_iterations);
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;
       if(m_mesh.is_full())
@@ -85,6 +91,7 @@ public:
     return ITERATION_BOUND;
   }
 
+public:
   // shapes: no size is looked at, and the worst score that an operation touches never falls
   Stop_reason optimise(const Stop_reason reason)
   {

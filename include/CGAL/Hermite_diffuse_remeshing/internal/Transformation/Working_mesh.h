@@ -123,7 +123,7 @@ public:
       put(m_hint, faces_of_reference[f], is_remeshed[f] ? f : -1);
       m_number_of_faces += is_remeshed[f];
       halfedge_descriptor h = halfedge(faces_of_reference[f], user.tmesh);
-      for(int k = 0; k < 3; ++k, h = CGAL::next(h, user.tmesh))
+      for(int k = 0; k < 3; ++k, h = next(h, user.tmesh))
       {
         const int v = triangles.triangles[f][k];
         if(index_of_vertex[v] == -1)
@@ -265,9 +265,9 @@ public:
     const vertex_descriptor v = target(h_new, tm);
     set_edge(edge(h_new, tm), edge_data);
     if(!CGAL::is_border(h, tm))
-      split_quadrangle(h_new, CGAL::next(h, tm));
+      split_quadrangle(h_new, next(h, tm));
     if(!CGAL::is_border(o, tm))
-      split_quadrangle(o, CGAL::next(opposite(h_new, tm), tm));
+      split_quadrangle(o, next(opposite(h_new, tm), tm));
 
     Vertex vertex;
     vertex.site = site;
@@ -291,7 +291,7 @@ public:
     // direction of the edge; ours are the ones at the target
     struct Kept_edge { vertex_descriptor end; Edge data; };
     std::vector<Kept_edge> kept_edges;
-    const halfedge_descriptor at_target[2] = {CGAL::next(h, tm), CGAL::prev(o, tm)};
+    const halfedge_descriptor at_target[2] = {next(h, tm), prev(o, tm)};
     for(int i = 0; i < 2; ++i)
       if(!CGAL::is_border(i == 0 ? h : o, tm))
       {
@@ -302,7 +302,7 @@ public:
 
     const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
     for(const Kept_edge& e : kept_edges)
-      set_edge(CGAL::edge(v, e.end, tm).first, e.data);
+      set_edge(edge(v, e.end, tm).first, e.data);
     put(m_vertex_index, v, kept);
     m_free_vertices.push_back(removed);
     m_vertices[kept].site = site;
@@ -345,7 +345,7 @@ public:
       {
         const halfedge_descriptor h = halfedge(f, tmesh());
         const Vector centroid = (point(source(h, tmesh())) + point(target(h, tmesh()))
-                                 + point(target(CGAL::next(h, tmesh()), tmesh()))) / 3.;
+                                 + point(target(next(h, tmesh()), tmesh()))) / 3.;
         put(m_hint, f, m_reference.locator.walk(centroid, hint(f)).face);
       }
   }

@@ -35,7 +35,7 @@ bool is_collapse_topologically_legal(const Working_mesh<UserMesh>& mesh,
   if(mesh.data(s).type == CURVE_VERTEX && !mesh.is_on_curve(h))
     return false;
   // an ear between two edges of one curve would fold the curve over
-  for(const auto side : {CGAL::prev(h, tm), CGAL::next(opposite(h, tm), tm)})
+  for(const auto side : {prev(h, tm), next(opposite(h, tm), tm)})
     if(mesh.is_on_curve(side) && mesh.data(s).type == CURVE_VERTEX && !CGAL::is_border(side, tm))
       return false;
   return CGAL::Euler::does_satisfy_link_condition(edge(h, tm), tm);

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -28,7 +30,7 @@ bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviation
   constexpr double safety = 0.8, largest_step = 0.35;
   // a cap must lower the size by a visible amount to be worth another pass
   constexpr double least_gain = 0.98;
-  bool is_changed = false;
+  std::vector<std::pair<Location, double> > caps;
   const auto& tm = mesh.tmesh();
   for(const auto& entry : deviations.faces)
   {
@@ -37,22 +39,28 @@ bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviation
     double longest = 0.;
     for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
       longest = (std::max)(longest, mesh.length(h));
-    const double size = (std::min)(longest, sizes(entry.location));
     const double factor = (std::max)(largest_step, safety * std::sqrt(maximum_deviation / entry.deviation));
-    const double before = sizes(entry.location);
-    const double cap = (std::max)(factor * size, sizes.minimum_length());
-    if(cap < least_gain * before)
+    // at the corners too: the slope of the sizes would undo a cap in the middle alone
+    const auto cap_at = [&](const Location& location)
     {
-      sizes.add_cap(entry.location, cap);
-      is_changed = true;
-    }
+      const double before = sizes(location);
+      const double cap = (std::max)(factor * (std::min)(longest, before), sizes.minimum_length());
+      if(cap >= least_gain * before)
+        return;
+      caps.push_back(std::make_pair(location, cap));
+    };
+    cap_at(entry.location);
+    for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
+      cap_at(mesh.data(target(h, tm)).site.location);
   }
-  if(is_changed)
+  for(const std::pair<Location, double>& cap : caps)
+    sizes.add_cap(cap.first, cap.second);
+  if(!caps.empty())
   {
     sizes.refine();
     mesh.update_sizes();
   }
-  return is_changed;
+  return !caps.empty();
 }
 
 } // namespace internal

@@ -29,7 +29,7 @@ bool is_flip_legal(const Working_mesh<UserMesh>& mesh,
   const auto o = opposite(h, tm);
   if(mesh.is_on_curve(h) || mesh.is_protected(h) || mesh.is_border_or_outside(h) || mesh.is_border_or_outside(o))
     return false;
-  const auto c = target(CGAL::next(h, tm), tm), d = target(CGAL::next(o, tm), tm);
+  const auto c = target(next(h, tm), tm), d = target(next(o, tm), tm);
   if(c == d || halfedge(c, d, tm).second)
     return false;
 

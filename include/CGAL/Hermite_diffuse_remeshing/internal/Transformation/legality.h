@@ -44,7 +44,7 @@ double worst_score_around(const Working_mesh<UserMesh>& mesh,
     if(mesh.is_border_or_outside(h))
       continue;
     const auto s = source(h, mesh.tmesh());
-    const auto t = target(CGAL::next(h, mesh.tmesh()), mesh.tmesh());
+    const auto t = target(next(h, mesh.tmesh()), mesh.tmesh());
     if(s == skipped || t == skipped)
       continue;
     worst = (std::min)(worst, score(mesh.reference(), mesh.point(s), p, mesh.point(t), mesh.hint(h)));
@@ -65,7 +65,7 @@ double face_score(const Working_mesh<UserMesh>& mesh,
                   const typename Working_mesh<UserMesh>::halfedge_descriptor h)
 {
   return score(mesh.reference(), mesh.point(source(h, mesh.tmesh())), mesh.point(target(h, mesh.tmesh())),
-               mesh.point(target(CGAL::next(h, mesh.tmesh()), mesh.tmesh())), mesh.hint(h));
+               mesh.point(target(next(h, mesh.tmesh()), mesh.tmesh())), mesh.hint(h));
 }
 
 } // namespace internal

@@ -59,7 +59,7 @@ Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh)
       continue;
     const auto h = halfedge(f, mesh.tmesh());
     const double q = quality(mesh.point(source(h, mesh.tmesh())), mesh.point(target(h, mesh.tmesh())),
-                             mesh.point(target(CGAL::next(h, mesh.tmesh()), mesh.tmesh())));
+                             mesh.point(target(next(h, mesh.tmesh()), mesh.tmesh())));
     result.smallest = (std::min)(result.smallest, q);
     result.mean += q;
     ++number;
@@ -110,7 +110,7 @@ Deviations<UserMesh> measure_deviations(const Working_mesh<UserMesh>& mesh)
     result.faces.push_back(entry);
     std::array<int, 3> triangle;
     halfedge_descriptor h = halfedge(f, tm);
-    for(int k = 0; k < 3; ++k, h = CGAL::next(h, tm))
+    for(int k = 0; k < 3; ++k, h = next(h, tm))
     {
       triangle[k] = facets.number_of_vertices();
       facets.points.push_back(mesh.point(source(h, tm)));
@@ -139,8 +139,8 @@ Deviations<UserMesh> measure_deviations(const Working_mesh<UserMesh>& mesh)
   };
   const auto add_projection = [&](const Vector& p, const int hint, const std::initializer_list<int> at_faces)
   {
-    const Reference_locator::Projection projection = reference.locator.project(p, hint, tolerance);
-    add(p, projection.distance, projection.location, at_faces);
+    const Reference::Nearest nearest = reference.nearest(p, hint, tolerance);
+    add(p, nearest.distance, nearest.location, at_faces);
   };
 
   for(std::size_t i = 0; i < result.faces.size(); ++i)

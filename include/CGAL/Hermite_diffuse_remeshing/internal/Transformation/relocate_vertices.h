@@ -62,7 +62,7 @@ Site balanced_site(const Working_mesh<UserMesh>& mesh,
   {
     if(mesh.is_border_or_outside(h))
       continue;
-    const auto s = source(h, tm), t = target(CGAL::next(h, tm), tm);
+    const auto s = source(h, tm), t = target(next(h, tm), tm);
     const Vector p = mesh.point(s) - site.point, q = mesh.point(t) - site.point;
     const double size = (site.size + mesh.size(s) + mesh.size(t)) / 3.;
     const double weight = p.cross(q).norm() / (size * size);

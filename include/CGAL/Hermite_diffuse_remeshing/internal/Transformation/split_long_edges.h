@@ -50,7 +50,7 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
       continue;
     const Vector& a = mesh.point(source(side, mesh.tmesh()));
     const Vector& b = mesh.point(target(side, mesh.tmesh()));
-    const Vector& c = mesh.point(target(CGAL::next(side, mesh.tmesh()), mesh.tmesh()));
+    const Vector& c = mesh.point(target(next(side, mesh.tmesh()), mesh.tmesh()));
     before = (std::min)(before, face_score(mesh, side));
     after = (std::min)({after, score(reference, a, site.point, c, mesh.hint(side)),
                                score(reference, site.point, b, c, mesh.hint(side))});

@@ -1,0 +1,72 @@
+/*!
+\ingroup PkgHermiteDiffuseRemeshingConcepts
+\cgalConcept
+
+The concept `HermiteDiffuseRemeshingVisitor` is what
+`CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()` calls while it runs: to show progress, to
+keep data of the user in step with the mesh, and to stop early.
+
+The functions are called in the thread of the caller, between the changes of the mesh: in each of
+them the mesh is valid. The functions must not change the connectivity of the mesh or its points.
+An exception thrown by a function of the visitor ends the remeshing and reaches the caller.
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<TriangleMesh>}
+\cgalHasModelsEnd
+*/
+class HermiteDiffuseRemeshingVisitor
+{
+public:
+  /// \name Types
+  /// of the mesh that is remeshed, as given by `boost::graph_traits`
+  /// @{
+  typedef unspecified_type vertex_descriptor;
+  typedef unspecified_type halfedge_descriptor;
+  typedef unspecified_type edge_descriptor;
+  typedef unspecified_type face_descriptor;
+  /// @}
+
+  /// \name Stages
+  /// @{
+
+  /// is called when a stage begins; `name` is the one under which the report gives its seconds.
+  void stage_begins(const char* name);
+
+  /// is called during a stage with the part of it that is done, from 0 to 1 and never falling.
+  void progress(double fraction);
+
+  /// is called when the stage ends.
+  void stage_ends(const char* name);
+
+  /// is asked between operations. Once it returns `true` the mesh is left as it is, and the report
+  /// says `CGAL::Hermite_diffuse_remeshing::STOPPED_BY_VISITOR`.
+  bool is_stop_requested();
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// is called before the edge `e` is split.
+  void before_edge_split(edge_descriptor e);
+
+  /// is called after an edge was split; `v` is the new vertex.
+  void after_edge_split(vertex_descriptor v);
+
+  /// is called before `h` is collapsed: its source will be removed and its target stays.
+  void before_edge_collapse(halfedge_descriptor h);
+
+  /// is called after an edge was collapsed; `v` is the vertex that stayed.
+  void after_edge_collapse(vertex_descriptor v);
+
+  /// is called before the edge `e` is flipped.
+  void before_edge_flip(edge_descriptor e);
+
+  /// is called after the edge `e` was flipped.
+  void after_edge_flip(edge_descriptor e);
+
+  /// is called after the vertex `v` was given another point.
+  void after_vertex_relocation(vertex_descriptor v);
+
+  /// @}
+};

@@ -1,0 +1,165 @@
+// What remesh_file tells about a run: progress on a terminal, a table, and JSON.
+
+#ifndef HERMITE_DIFFUSE_REMESHING_EXAMPLES_REPORT_OUTPUT_H
+#define HERMITE_DIFFUSE_REMESHING_EXAMPLES_REPORT_OUTPUT_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
+#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+
+#include <cmath>
+#include <cstdio>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+#include <string>
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+inline bool is_terminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+// one line per stage on the terminal, rewritten as the stage advances
+template <typename Mesh>
+class Progress_line
+  : public CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<Mesh>
+{
+  std::ostream& os;
+  const bool is_shown;
+  bool is_open = false;
+  std::string stage;
+  int percent = 0;
+
+  void show()
+  {
+    if(is_shown)
+      os << "\r" << std::left << std::setw(28) << stage << std::right << std::setw(4) << percent
+         << " %" << std::flush;
+  }
+
+public:
+  Progress_line(std::ostream& os, const bool is_shown) : os(os), is_shown(is_shown) {}
+
+  // an error that follows starts on a line of its own
+  ~Progress_line()
+  {
+    if(is_shown && is_open)
+      os << "\n";
+  }
+
+  Progress_line(const Progress_line&) = delete;
+  Progress_line& operator=(const Progress_line&) = delete;
+
+  void stage_begins(const char* name)
+  {
+    stage = name;
+    percent = 0;
+    is_open = true;
+    show();
+  }
+
+  void progress(const double fraction)
+  {
+    const int now = static_cast<int>(100. * fraction);
+    if(now == percent)
+      return;
+    percent = now;
+    show();
+  }
+
+  void stage_ends(const char*)
+  {
+    percent = 100;
+    show();
+    if(is_shown)
+      os << "\n";
+    is_open = false;
+  }
+};
+
+template <typename Mesh>
+void write_json(std::ostream& os,
+                const CGAL::Hermite_diffuse_remeshing::Remeshing_report<Mesh>& r)
+{
+  // JSON has no infinity
+  const auto number = [](const double value)
+  {
+    std::ostringstream text;
+    text.precision(17);
+    text << value;
+    return std::isfinite(value) ? text.str() : std::string("null");
+  };
+  const auto& worst = r.point_of_largest_deviation;
+
+  os << "{\n"
+     << "  \"input_faces\": " << r.number_of_input_faces << ",\n"
+     << "  \"input_quality_min\": " << number(r.smallest_input_quality) << ",\n"
+     << "  \"input_quality_mean\": " << number(r.mean_input_quality) << ",\n"
+     << "  \"faces\": " << r.number_of_faces << ",\n"
+     << "  \"vertices\": " << r.number_of_vertices << ",\n"
+     << "  \"quality_min\": " << number(r.smallest_quality) << ",\n"
+     << "  \"quality_mean\": " << number(r.mean_quality) << ",\n"
+     << "  \"deviation_max\": " << number(r.largest_deviation) << ",\n"
+     << "  \"deviation_mean\": " << number(r.mean_deviation) << ",\n"
+     << "  \"deviation_max_point\": [" << number(worst[0]) << ", " << number(worst[1]) << ", "
+     << number(worst[2]) << "],\n"
+     << "  \"maximum_deviation\": " << number(r.maximum_deviation) << ",\n"
+     << "  \"maximum_deviation_met\": " << (r.is_maximum_deviation_met ? "true" : "false") << ",\n"
+     << "  \"faces_above_maximum_deviation\": " << r.faces_above_maximum_deviation.size() << ",\n"
+     << "  \"size_conformity\": " << number(r.size_conformity) << ",\n"
+     << "  \"corners\": " << r.number_of_corners << ",\n"
+     << "  \"curves\": " << r.number_of_curves << ",\n"
+     << "  \"feature_edges\": " << r.number_of_feature_edges << ",\n"
+     << "  \"iterations\": " << r.number_of_iterations << ",\n"
+     << "  \"stop_reason\": \"" << name(r.stop_reason) << "\",\n"
+     << "  \"counts\": {\"splits\": " << r.number_of_splits
+     << ", \"collapses\": " << r.number_of_collapses << ", \"flips\": " << r.number_of_flips
+     << ", \"relocations\": " << r.number_of_relocations << "},\n"
+     << "  \"seconds\": " << number(r.seconds) << ",\n"
+     << "  \"stages\": {";
+  const char* separator = "";
+  for(const auto& stage : r.stages)
+  {
+    os << separator << "\"" << stage.first << "\": " << number(stage.second);
+    separator = ", ";
+  }
+  os << "}\n}\n";
+}
+
+template <typename Mesh>
+void print_table(std::ostream& os,
+                 const CGAL::Hermite_diffuse_remeshing::Remeshing_report<Mesh>& r)
+{
+  const auto row = [&os](const std::string& title, const double before, const double after)
+  {
+    os << std::left << std::setw(20) << title << std::right << std::setw(12) << before
+       << std::setw(12) << after << "\n";
+  };
+  os << std::setw(32) << "before" << std::setw(12) << "after" << "\n" << std::setprecision(8);
+  row("faces", static_cast<double>(r.number_of_input_faces),
+      static_cast<double>(r.number_of_faces));
+  os << std::setprecision(4);
+  row("smallest quality", r.smallest_input_quality, r.smallest_quality);
+  row("mean quality", r.mean_input_quality, r.mean_quality);
+  os << "deviation           largest " << r.largest_deviation << ", mean " << r.mean_deviation
+     << "\n";
+  if(!r.is_maximum_deviation_met)
+    os << "                    above the bound " << r.maximum_deviation << " on "
+       << r.faces_above_maximum_deviation.size() << " faces\n";
+  os << "stopped             " << name(r.stop_reason) << " after " << r.number_of_iterations
+     << " iterations\n"
+     << "seconds             " << r.seconds << "\n";
+  for(const auto& stage : r.stages)
+    os << "  " << std::left << std::setw(18) << stage.first << stage.second << "\n";
+}
+
+#endif // HERMITE_DIFFUSE_REMESHING_EXAMPLES_REPORT_OUTPUT_H

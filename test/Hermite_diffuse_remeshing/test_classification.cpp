@@ -1,0 +1,165 @@
+#include "test_helpers.h"
+
+using namespace HDR::internal;
+
+struct Classification
+{
+  Indexed_triangles triangles;
+  Edge_table edges;
+  std::vector<Edge_class> edge_classes;
+  Cut_mesh cut_mesh;
+  std::vector<Vertex_class> vertex_classes;
+
+  explicit Classification(const Indexed_triangles& t, const double sharp = 40., const double corner = 60.,
+                          const double apex = 30.)
+    : triangles(t), edges(t)
+    , edge_classes(classify_edges(t, edges, radians(sharp), [](int, int) { return false; }))
+    , cut_mesh(t, edges, edge_classes)
+    , vertex_classes(classify_vertices(t, edges, edge_classes, cut_mesh, radians(corner), radians(apex),
+                                       [](int) { return false; }))
+  {}
+
+  static double radians(const double degrees) { return degrees * analytic::pi / 180.; }
+
+  long number(const Edge_class c) const { return std::count(edge_classes.begin(), edge_classes.end(), c); }
+  long number(const Vertex_class c) const { return std::count(vertex_classes.begin(), vertex_classes.end(), c); }
+};
+
+Indexed_triangles indexed(const std::vector<Vector>& points, const std::vector<std::array<int, 3> >& triangles)
+{
+  Indexed_triangles result;
+  result.points = points;
+  result.triangles = triangles;
+  return result;
+}
+
+Indexed_triangles read_indexed(const std::string& name)
+{
+  const Surface_mesh mesh = read_data<Surface_mesh>(name);
+  std::vector<Surface_mesh::Face_index> faces;
+  return read_triangles(mesh, mesh.points(), Kernel(), faces);
+}
+
+void test_cube()
+{
+  const Classification cube(read_indexed("cube.off"));
+  assert(cube.number(SHARP_EDGE) == 12 && cube.number(INTERIOR_EDGE) == 6);
+  assert(cube.number(CORNER_VERTEX) == 8);
+  // a node per side of the cube and corner of it
+  assert(cube.cut_mesh.number_of_nodes() == 24 && cube.cut_mesh.number_of_patches() == 6);
+
+  const Classification smooth(read_indexed("cube.off"), 180., 180., 180.);
+  assert(smooth.number(INTERIOR_EDGE) == 18 && smooth.number(SURFACE_VERTEX) == 8);
+  assert(smooth.cut_mesh.number_of_nodes() == 8 && smooth.cut_mesh.number_of_patches() == 1);
+}
+
+// an open cone of n sides: the tip is an apex, the rim a smooth border
+void test_cone_apex()
+{
+  const int n = 24;
+  std::vector<Vector> points(1, Vector(0., 0., 1.));
+  std::vector<std::array<int, 3> > triangles;
+  for(int ring = 1; ring <= 4; ++ring)
+    for(int i = 0; i < n; ++i)
+    {
+      const double s = 2. * analytic::pi * i / n, r = ring / 4.;
+      points.push_back(Vector(r * std::cos(s), r * std::sin(s), 1. - r));
+    }
+  for(int i = 0; i < n; ++i)
+    triangles.push_back({{0, 1 + i, 1 + (i + 1) % n}});
+  for(int ring = 0; ring < 3; ++ring)
+    for(int i = 0; i < n; ++i)
+    {
+      const int a = 1 + ring * n + i, b = 1 + ring * n + (i + 1) % n;
+      triangles.push_back({{a, a + n, b + n}});
+      triangles.push_back({{a, b + n, b}});
+    }
+  const Classification cone(indexed(points, triangles));
+  assert(cone.vertex_classes[0] == APEX_VERTEX);
+  assert(cone.number(APEX_VERTEX) == 1 && cone.number(CORNER_VERTEX) == 0);
+  assert(cone.number(BOUNDARY_EDGE) == n && cone.number(CURVE_VERTEX) == n);
+}
+
+void test_square_border()
+{
+  std::vector<Vector> points;
+  std::vector<std::array<int, 3> > triangles;
+  for(int j = 0; j < 4; ++j)
+    for(int i = 0; i < 4; ++i)
+      points.push_back(Vector(i, j, 0.));
+  for(int j = 0; j < 3; ++j)
+    for(int i = 0; i < 3; ++i)
+    {
+      const int a = 4 * j + i;
+      triangles.push_back({{a, a + 1, a + 5}});
+      triangles.push_back({{a, a + 5, a + 4}});
+    }
+  const Classification square(indexed(points, triangles));
+  assert(square.number(BOUNDARY_EDGE) == 12);
+  assert(square.number(CORNER_VERTEX) == 4 && square.number(CURVE_VERTEX) == 8 && square.number(SURFACE_VERTEX) == 4);
+  assert(is_corner(square.vertex_classes[0]) && is_corner(square.vertex_classes[15]));
+}
+
+// three half planes on one line, and two triangles that are oriented against each other
+void test_non_manifold()
+{
+  const Classification fan(indexed({Vector(0, 0, 0), Vector(0, 0, 1), Vector(1, 0, 0), Vector(-1, 1, 0), Vector(-1, -1, 0)},
+                                   {{{0, 1, 2}}, {{0, 1, 3}}, {{0, 1, 4}}}));
+  assert(fan.number(NON_MANIFOLD_EDGE) == 1 && fan.number(BOUNDARY_EDGE) == 6);
+  assert(fan.cut_mesh.number_of_nodes() == 9);
+
+  const Classification incoherent(indexed({Vector(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0), Vector(1, -1, 0)},
+                                          {{{0, 1, 2}}, {{0, 1, 3}}}));
+  assert(incoherent.number(NON_MANIFOLD_EDGE) == 1);
+
+  // two tetrahedra that share one vertex: two sheets touch there
+  const Classification touching(indexed({Vector(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1),
+                                         Vector(-1, 0, 0), Vector(0, -1, 0), Vector(0, 0, -1)},
+                                        {{{0, 2, 1}}, {{0, 1, 3}}, {{0, 3, 2}}, {{1, 2, 3}},
+                                         {{0, 4, 5}}, {{0, 5, 6}}, {{0, 6, 4}}, {{4, 6, 5}}}), 180., 180., 180.);
+  assert(touching.cut_mesh.number_of_nodes() == 8 && touching.vertex_classes[0] == CORNER_VERTEX);
+}
+
+// short chains of slightly sharp edges with a free end are noise, long or sharper ones are not
+void test_isolated_sharp_edges()
+{
+  // a strip bent along its middle line over `length` of its edges
+  const auto strip = [](const int length, const double angle)
+  {
+    std::vector<Vector> points;
+    std::vector<std::array<int, 3> > triangles;
+    const int n = 14;
+    for(int i = 0; i <= n; ++i)
+    {
+      const int first = (n - length) / 2;
+      const bool is_inside = i > first && i < first + length;
+      const double half = is_inside || (length == 1 && (i == first || i == first + 1)) || i == first || i == first + length
+                        ? Classification::radians(angle / 2.) : 0.;
+      points.push_back(Vector(i, -2. * std::cos(half), -2. * std::sin(half)));
+      points.push_back(Vector(i, 0., 0.));
+      points.push_back(Vector(i, 2. * std::cos(half), -2. * std::sin(half)));
+    }
+    for(int i = 0; i < n; ++i)
+      for(const int j : {0, 1})
+      {
+        const int a = 3 * i + j;
+        triangles.push_back({{a, a + 3, a + 4}});
+        triangles.push_back({{a, a + 4, a + 1}});
+      }
+    return Classification(indexed(points, triangles));
+  };
+  assert(strip(1, 45.).number(SHARP_EDGE) == 0);
+  assert(strip(10, 45.).number(SHARP_EDGE) >= 10);
+  assert(strip(1, 80.).number(SHARP_EDGE) >= 1);
+}
+
+int main()
+{
+  test_cube();
+  test_cone_apex();
+  test_square_border();
+  test_non_manifold();
+  test_isolated_sharp_edges();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,318 @@
+#include "test_helpers.h"
+
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/transform.h>
+#include <CGAL/Polyhedron_3.h>
+
+#include <map>
+
+typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+typedef CGAL::Aff_transformation_3<Kernel> Transformation;
+
+void test_real_mesh(const std::string& file)
+{
+  std::cout << "real mesh " << file << std::endl;
+  Surface_mesh input;
+  const bool is_read = PMP::IO::read_polygon_mesh(file, input);
+  assert(is_read);
+  Surface_mesh output = input;
+  const auto report = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.02).sharp_dihedral_angle(40.));
+  check_result(input, output);
+  assert(report.stop_reason == HDR::CONVERGED);
+  assert(report.number_of_faces == output.number_of_faces());
+  assert(report.number_of_vertices == output.number_of_vertices());
+  assert(report.smallest_quality > 0.3);
+  assert(report.mean_quality > 0.8);
+  assert(report.size_conformity > 0.98);
+  assert(report.is_maximum_deviation_met);
+}
+
+// vertices on the true surface, and edges as long as the error law says for the true curvature
+void test_torus_accuracy()
+{
+  std::cout << "torus accuracy" << std::endl;
+  const analytic::Torus torus;
+  for(const int seed : {1, 2, 3})
+  {
+    const Surface_mesh input = make_mesh<Surface_mesh>(torus.mesh(3600, seed));
+    Surface_mesh output = input;
+    PMP::hermite_diffuse_remesh(output, params::approximation_error(0.01));
+    check_result(input, output);
+
+    double sum = 0.;
+    for(const auto v : vertices(output))
+      sum += CGAL::square(torus.distance(coordinates(output, v)));
+    const double rms = std::sqrt(sum / output.number_of_vertices());
+
+    const double length = HDR::internal::length_of_error(0.01) / torus.largest_curvature();
+    std::size_t conforming = 0;
+    for(const auto e : edges(output))
+    {
+      const double l = PMP::edge_length(halfedge(e, output), output);
+      conforming += l >= length / 2. && l <= 2. * length;
+    }
+    const double part = double(conforming) / output.number_of_edges();
+    std::cout << "  rms distance " << rms << ", conforming edges " << part << std::endl;
+    assert(rms <= 1e-4);
+    assert(part >= 0.9);
+  }
+}
+
+void test_invariance(const Surface_mesh& input, const double error)
+{
+  Surface_mesh output = input;
+  PMP::hermite_diffuse_remesh(output, params::approximation_error(error));
+
+  const double c = std::cos(0.7), s = std::sin(0.7), d = std::cos(1.1), t = std::sin(1.1);
+  const Transformation scaling(CGAL::SCALING, 1000.);
+  const Transformation translation(CGAL::TRANSLATION, Kernel::Vector_3(3., -2., 1.));
+  const Transformation rotation(c, -s, 0., s * d, c * d, -t, s * t, c * t, d);
+  for(const Transformation& transformation : {scaling, translation, rotation, scaling * rotation * translation})
+  {
+    Surface_mesh image = input;
+    PMP::transform(transformation, image);
+    PMP::hermite_diffuse_remesh(image, params::approximation_error(error));
+    const double scale = std::cbrt(CGAL::abs(
+      transformation.m(0, 0) * (transformation.m(1, 1) * transformation.m(2, 2) - transformation.m(1, 2) * transformation.m(2, 1))
+    - transformation.m(0, 1) * (transformation.m(1, 0) * transformation.m(2, 2) - transformation.m(1, 2) * transformation.m(2, 0))
+    + transformation.m(0, 2) * (transformation.m(1, 0) * transformation.m(2, 1) - transformation.m(1, 1) * transformation.m(2, 0))));
+    assert(is_image(output, image, transformation, 1e-8 * scale));
+  }
+
+  Surface_mesh again = input;
+  PMP::hermite_diffuse_remesh(again, params::approximation_error(error));
+  assert(is_image(output, again, Transformation(CGAL::IDENTITY), 0.));
+}
+
+// the same result whatever the type of the mesh
+void test_mesh_types()
+{
+  std::cout << "mesh types" << std::endl;
+  Surface_mesh surface_mesh = read_data<Surface_mesh>("fandisk.off");
+  Polyhedron polyhedron = read_data<Polyhedron>("fandisk.off");
+  PMP::hermite_diffuse_remesh(surface_mesh, params::approximation_error(0.02));
+  PMP::hermite_diffuse_remesh(polyhedron, params::approximation_error(0.02));
+  assert(numbers(surface_mesh) == numbers(polyhedron));
+  std::multiset<analytic::Point> points, polyhedron_points;
+  for(const auto v : vertices(surface_mesh))
+    points.insert(coordinates(surface_mesh, v));
+  for(const auto v : vertices(polyhedron))
+    polyhedron_points.insert(coordinates(polyhedron, v));
+  assert(points == polyhedron_points);
+}
+
+// a part is remeshed, the rest stays bit for bit and the seam conforms
+void test_part_of_mesh()
+{
+  std::cout << "part of a mesh" << std::endl;
+  const Surface_mesh input = read_data<Surface_mesh>("elephant.off");
+  Surface_mesh output = input;
+  std::vector<Surface_mesh::Face_index> upper;
+  typedef std::array<Point_3, 3> Triangle;
+  const auto triangle = [](const Surface_mesh& mesh, const Surface_mesh::Face_index f)
+  {
+    const auto h = mesh.halfedge(f);
+    Triangle t = {{mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))}};
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  std::vector<Triangle> lower;
+  for(const auto f : faces(input))
+  {
+    const Triangle t = triangle(input, f);
+    if(t[0].y() > 0. && t[1].y() > 0. && t[2].y() > 0.)
+      upper.push_back(f);
+    else
+      lower.push_back(t);
+  }
+  PMP::hermite_diffuse_remesh(upper, output, params::approximation_error(0.01));
+  check_result(input, output);
+  std::set<Triangle> result;
+  for(const auto f : faces(output))
+    result.insert(triangle(output, f));
+  for(const Triangle& t : lower)
+    assert(result.count(t) == 1);
+  assert(output.number_of_faces() > input.number_of_faces());
+}
+
+// constrained edges: marked as long as they live; with protection exactly kept
+void test_constraints()
+{
+  std::cout << "constraints" << std::endl;
+  for(const bool protect : {false, true})
+  {
+    Surface_mesh mesh = make_mesh<Surface_mesh>(analytic::Torus().mesh(2000, 5));
+    auto is_constrained = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:constrained", false).first;
+    // the edges between two halves of the torus, labelled too
+    auto label = mesh.add_property_map<Surface_mesh::Face_index, int>("f:label", 0).first;
+    for(const auto f : faces(mesh))
+    {
+      double x = 0.;
+      for(const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+        x += mesh.point(v).x();
+      label[f] = x > 0.;
+    }
+    std::set<std::set<Point_3> > constrained;
+    for(const auto e : edges(mesh))
+      if(label[mesh.face(mesh.halfedge(e, 0))] != label[mesh.face(mesh.halfedge(e, 1))])
+      {
+        is_constrained[e] = true;
+        constrained.insert({mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))});
+      }
+    const Surface_mesh input = mesh;
+    // CGAL's names may follow ours in the chain
+    PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.005)
+                                        .edge_is_constrained_map(is_constrained)
+                                        .face_patch_map(label)
+                                        .protect_constraints(protect)
+                                        .corner_angle(180.));
+    check_result(input, mesh);
+    std::size_t number = 0;
+    for(const auto e : edges(mesh))
+    {
+      const bool is_between = label[mesh.face(mesh.halfedge(e, 0))] != label[mesh.face(mesh.halfedge(e, 1))];
+      assert(is_between == is_constrained[e]);
+      number += is_between;
+      if(protect && is_between)
+      {
+        const std::set<Point_3> ends = {mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))};
+        assert(constrained.count(ends) == 1);
+      }
+    }
+    if(protect)
+      assert(number == constrained.size());
+    else
+      assert(number > 0 && number != constrained.size());
+  }
+}
+
+void test_maximum_deviation()
+{
+  std::cout << "maximum deviation" << std::endl;
+  Surface_mesh mesh = make_mesh<Surface_mesh>(analytic::Torus().mesh(3600, 1));
+  const double deviation = 2e-3;
+  const auto report =
+    PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.1).maximum_deviation(deviation));
+  assert(report.is_maximum_deviation_met && report.largest_deviation <= deviation);
+  assert(report.faces_above_maximum_deviation.empty());
+
+  // cannot be met: the smallest size is too large, and the report says so
+  const auto other = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.1)
+                       .maximum_deviation(1e-5).minimum_edge_length(0.1).maximum_edge_length(0.2));
+  assert(!other.is_maximum_deviation_met && !other.faces_above_maximum_deviation.empty());
+  assert(other.largest_deviation > 1e-5);
+}
+
+void test_size_field()
+{
+  std::cout << "size field" << std::endl;
+  Surface_mesh mesh = read_data<Surface_mesh>("cube.off");
+  const Surface_mesh input = mesh;
+  const auto field = [](const Point_3& p) { return 0.02 + 0.2 * std::abs(p.x()); };
+  auto sizes = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:size", 0.).first;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).size_field(field)
+                                                          .maximum_edge_length(10.).minimum_edge_length(1e-3)
+                                                          .vertex_size_map(sizes));
+  check_result(input, mesh);
+  assert(report.size_conformity > 0.98);
+  for(const auto v : vertices(mesh))
+    assert(sizes[v] <= 1.05 * field(mesh.point(v)) && sizes[v] > 0.);
+}
+
+struct Stopping_visitor
+  : public HDR::Default_remeshing_visitor<Surface_mesh>
+{
+  int operations_left = 500;
+  std::map<std::string, int> stages;
+  double last_progress = 0.;
+
+  void stage_begins(const char* name)
+  {
+    ++stages[name];
+    last_progress = 0.;
+  }
+  void stage_ends(const char* name) { --stages[name]; }
+  void progress(const double fraction)
+  {
+    assert(fraction >= last_progress && fraction <= 1.);
+    last_progress = fraction;
+  }
+  void after_edge_split(vertex_descriptor) { --operations_left; }
+  void after_edge_collapse(vertex_descriptor) { --operations_left; }
+  bool is_stop_requested() { return operations_left <= 0; }
+};
+
+void test_visitor()
+{
+  std::cout << "visitor" << std::endl;
+  const Surface_mesh input = read_data<Surface_mesh>("elephant.off");
+  Surface_mesh output = input;
+  Stopping_visitor visitor;
+  const auto report = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.01).visitor(std::ref(visitor)));
+  assert(report.stop_reason == HDR::STOPPED_BY_VISITOR);
+  assert(report.number_of_splits + report.number_of_collapses == 500);
+  assert(CGAL::is_valid_polygon_mesh(output));
+  assert(euler_characteristic(output) == euler_characteristic(input));
+  for(const auto& stage : visitor.stages)
+    assert(stage.second == 0);
+}
+
+void test_output_maps()
+{
+  std::cout << "output maps" << std::endl;
+  const Surface_mesh input = read_data<Surface_mesh>("fandisk.off");
+  Surface_mesh output = input;
+  typedef std::pair<std::size_t, std::array<double, 3> > Location;
+  auto locations = output.add_property_map<Surface_mesh::Vertex_index, Location>("v:location").first;
+  auto origins = output.add_property_map<Surface_mesh::Face_index, std::size_t>("f:origin", std::size_t(-1)).first;
+  auto deviations = output.add_property_map<Surface_mesh::Face_index, double>("f:deviation", -1.).first;
+  const auto report = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.02)
+    .vertex_location_map(locations).face_origin_map(origins).face_deviation_map(deviations));
+
+  const std::vector<Surface_mesh::Face_index> ranked(faces(input).begin(), faces(input).end());
+  for(const auto v : vertices(output))
+  {
+    const auto h = input.halfedge(ranked.at(locations[v].first));
+    const std::array<double, 3>& l = locations[v].second;
+    const auto from_origin = [&](const Surface_mesh::Vertex_index u) { return input.point(u) - CGAL::ORIGIN; };
+    const Point_3 on_input = CGAL::ORIGIN + (l[0] * from_origin(input.source(h)) + l[1] * from_origin(input.target(h))
+                                             + l[2] * from_origin(input.target(input.next(h))));
+    // the model and the facets of a fine input are close to each other
+    assert(CGAL::squared_distance(on_input, output.point(v)) < CGAL::square(0.01));
+  }
+  double largest = 0.;
+  for(const auto f : faces(output))
+  {
+    assert(origins[f] < ranked.size() && deviations[f] >= 0.);
+    largest = (std::max)(largest, deviations[f]);
+  }
+  assert(largest == report.largest_deviation);
+}
+
+int main(int argc, char** argv)
+{
+  // more meshes may be given by their files
+  for(int i = 1; i < argc; ++i)
+    test_real_mesh(argv[i]);
+  if(argc > 1)
+    return EXIT_SUCCESS;
+
+  test_real_mesh(CGAL::data_file_path("meshes/elephant.off"));
+  test_real_mesh(CGAL::data_file_path("meshes/fandisk.off"));
+  test_torus_accuracy();
+  std::cout << "invariance" << std::endl;
+  test_invariance(read_data<Surface_mesh>("elephant.off"), 0.02);
+  test_invariance(read_data<Surface_mesh>("fandisk.off"), 0.02);
+  test_invariance(read_data<Surface_mesh>("joint.off"), 0.02);
+  test_invariance(make_mesh<Surface_mesh>(analytic::Torus().mesh(3600, 1)), 0.01);
+  test_mesh_types();
+  test_part_of_mesh();
+  test_constraints();
+  test_maximum_deviation();
+  test_size_field();
+  test_visitor();
+  test_output_maps();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}

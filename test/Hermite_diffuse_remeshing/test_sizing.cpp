@@ -1,0 +1,146 @@
+#include "test_helpers.h"
+
+using namespace HDR::internal;
+
+void test_error_law()
+{
+  // both directions, and the expansion of the paper
+  for(double error = 1e-8; error < 3.; error *= 1.7)
+  {
+    const double length = length_of_error(error);
+    assert(length > 0. && length < 2.);
+    assert(std::abs(error_of_length(length) / error - 1.) < 1e-10);
+    if(error < 0.05)
+      assert(std::abs(length / (std::sqrt(2. * error) * (1.68179 - 0.594604 * error)) - 1.) < 1e-3);
+  }
+  // twenty-six edges on a circle at one percent
+  const double angle = 2. * std::asin(length_of_error(0.01) / 2.);
+  assert(std::abs(2. * analytic::pi / angle - 26.4) < 0.1);
+}
+
+struct Sized_model
+{
+  Input_model model;
+  Size_map sizes;
+
+  Sized_model(const Indexed_triangles& triangles, const Size_options& options)
+    : model(triangles, Feature_options{0.7, 1.05, 0.52}, Model_options(), [](int, int) { return false; },
+            [](int) { return false; })
+    , sizes(model.surface, model.edges, model.curves, options)
+  {}
+};
+
+Indexed_triangles indexed(const analytic::Triangles& triangles)
+{
+  Indexed_triangles result;
+  for(const analytic::Point& p : triangles.points)
+    result.points.push_back(Vector(p[0], p[1], p[2]));
+  for(const auto& f : triangles.faces)
+    result.triangles.push_back({{int(f[0]), int(f[1]), int(f[2])}});
+  return result;
+}
+
+void test_torus_sizes()
+{
+  const analytic::Torus torus;
+  Size_options options;
+  options.approximation_error = 0.02;
+  options.minimum_length = 1e-3;
+  options.maximum_length = 10.;
+  const Indexed_triangles triangles = indexed(torus.mesh(5000, 3));
+  const Sized_model sized(triangles, options);
+  const double expected = length_of_error(0.02) * torus.r;
+  for(int f = 0; f < triangles.number_of_faces(); ++f)
+  {
+    Location location;
+    location.face = f;
+    location.coordinates.fill(1. / 3.);
+    assert(std::abs(sized.sizes(location) / expected - 1.) < 0.1);
+  }
+}
+
+// two large triangles with one small hole in the user's sizes: bisected there, limited in slope
+void test_gradation_on_large_faces()
+{
+  Indexed_triangles square;
+  square.points = {Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, 1, 0)};
+  square.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  for(const double gradation : {1.1, 1.3, 2.})
+  {
+    Size_options options;
+    options.approximation_error = 0.;
+    options.minimum_length = 1e-4;
+    options.maximum_length = 0.5;
+    options.gradation = gradation;
+    options.user_size = [](const Vector& p) { return (p - Vector(1, 0, 0)).norm() < 1e-9 ? 0.01 : 0.5; };
+    const Sized_model sized(square, options);
+    const double slope = slope_of_gradation(gradation);
+    const auto size_at = [&](const double x, const double y)
+    {
+      Location location;
+      location.face = y <= x ? 0 : 1;
+      location.coordinates = y <= x ? Barycentric{{1. - x, x - y, y}} : Barycentric{{1. - y, x, y - x}};
+      return sized.sizes(location);
+    };
+    assert(std::abs(size_at(1., 0.) - 0.01) < 1e-12);
+    analytic::Random random(7);
+    for(int i = 0; i < 2000; ++i)
+    {
+      const double x = random(0., 1.), y = random(0., 1.);
+      const double distance = std::hypot(x - 1., y);
+      const double expected = (std::min)(0.5, 0.01 + slope * distance);
+      // propagated along the sides of the cells, which are a little longer than the straight way
+      assert(size_at(x, y) > 0.75 * expected && size_at(x, y) < 1.35 * expected);
+    }
+  }
+}
+
+// a flat face between fine rims has a coarse middle
+void test_coarse_middle()
+{
+  std::vector<Vector> points;
+  Indexed_triangles cylinder;
+  const int n = 48;
+  for(const double z : {0., 1.})
+    for(int i = 0; i < n; ++i)
+      cylinder.points.push_back(Vector(std::cos(2. * analytic::pi * i / n), std::sin(2. * analytic::pi * i / n), z));
+  for(int i = 0; i < n; ++i)
+  {
+    const int j = (i + 1) % n;
+    cylinder.triangles.push_back({{i, j, j + n}});
+    cylinder.triangles.push_back({{i, j + n, i + n}});
+  }
+  // caps as fans from a vertex of the rim
+  for(int i = 1; i + 1 < n; ++i)
+  {
+    cylinder.triangles.push_back({{0, i + 1, i}});
+    cylinder.triangles.push_back({{n, n + i, n + i + 1}});
+  }
+  Size_options options;
+  options.approximation_error = 0.001;
+  options.minimum_length = 1e-4;
+  options.maximum_length = 0.4;
+  const Sized_model sized(cylinder, options);
+  const double fine = length_of_error(0.001);
+  double largest_on_cap = 0., largest_on_side = 0.;
+  for(int f = 0; f < cylinder.number_of_faces(); ++f)
+  {
+    Location location;
+    location.face = f;
+    location.coordinates.fill(1. / 3.);
+    double& largest = f < 2 * n ? largest_on_side : largest_on_cap;
+    largest = (std::max)(largest, sized.sizes(location));
+  }
+  assert(largest_on_side < 1.1 * fine);
+  assert(largest_on_cap > 4. * fine);
+}
+
+int main()
+{
+  test_error_law();
+  test_torus_sizes();
+  test_gradation_on_large_faces();
+  test_coarse_middle();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}

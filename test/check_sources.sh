@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# Checks of the sources that need no run: check_sources.sh CHECK [ARGUMENTS...]
+set -u
+
+root=$(realpath "$(dirname "$0")/..")
+cd "$root/include/CGAL" || exit 1
+internal=Hermite_diffuse_remeshing/internal
+
+# expect_none MESSAGE: standard input must be empty
+expect_none()
+{
+  local found
+  found=$(cat)
+  [ -z "$found" ] && return 0
+  echo "FAILED: $1"
+  echo "$found"
+  exit 1
+}
+
+case "$1" in
+
+# A folder may use itself and what comes before it in the flow of the data.
+include_direction)
+  stages=(Classification Curves Model Sizing Transformation)
+  for ((user = 0; user < ${#stages[@]}; ++user)); do
+    for ((used = user + 1; used < ${#stages[@]}; ++used)); do
+      grep -rnE "#include.*internal/${stages[used]}/" "$internal/${stages[user]}" 2> /dev/null
+    done
+  done | expect_none "these includes go against the flow of the data"
+  find "$internal" -mindepth 1 -maxdepth 1 -type d -printf '%f\n' \
+    | grep -vxF "$(printf '%s\n' "${stages[@]}")" | expect_none "these folders are no stages"
+  ;;
+
+version_use)
+  grep -rn 'CGAL_VERSION' . | grep -v "^./$internal/compatibility.h:" \
+    | expect_none "only compatibility.h knows CGAL's version"
+  ;;
+
+no_output)
+  grep -rnE '#include *<(iostream|fstream|cstdio|cassert|assert\.h)>|std::(cout|cerr|clog)' . \
+    | expect_none "headers neither print nor use assert"
+  ;;
+
+no_abort)
+  grep -rnE '(^|[^_[:alnum:]])(assert|abort|exit) *\(' . \
+    | expect_none "headers throw, or use CGAL's assertions"
+  ;;
+
+guards)
+  grep -rL 'SPDX-License-Identifier: GPL-3.0-or-later' . | expect_none "these have no licence line"
+  find . -name '*.h' -printf '%P\n' | while read -r header; do
+    guard=CGAL_$(tr '[:lower:]/.' '[:upper:]__' <<< "$header")
+    grep -qx "#define $guard" "$header" || echo "$header: $guard"
+  done | expect_none "these include guards are not the path in capitals"
+  ;;
+
+# compiles FILE COMPILER OPTIONS...: the file alone, without a warning
+compiles)
+  file=$2
+  shift 2
+  # a header is included, as users do: on its own a compiler takes its constants for unused
+  echo "#include \"$root/$file\"" | "$@" -fsyntax-only -Wall -Wextra -Werror -x c++ - || exit 1
+  ;;
+
+# package WAY CMAKE_OPTIONS...: another project uses this one, installed or as a subfolder
+package)
+  way=$2
+  shift 2
+  folder=$(mktemp -d)
+  trap 'rm -rf "$folder"' EXIT
+  if [ "$way" = find_package ]; then
+    cmake -S "$root" -B "$folder/package" "$@" -DHermite_diffuse_remeshing_BUILD_EXAMPLES=OFF \
+          -DHermite_diffuse_remeshing_BUILD_TESTS=OFF > "$folder/log" 2>&1 \
+      && cmake --install "$folder/package" --prefix "$folder/installed" >> "$folder/log" 2>&1 \
+      || { cat "$folder/log"; exit 1; }
+    set -- "$@" "-DCMAKE_PREFIX_PATH=$folder/installed"
+    use='find_package(Hermite_diffuse_remeshing REQUIRED)'
+  else
+    use="add_subdirectory(\"$root\" package)"
+  fi
+  mkdir "$folder/user" "$folder/user/program"
+  cat > "$folder/user/CMakeLists.txt" <<END
+cmake_minimum_required(VERSION 3.12)
+project(User CXX)
+$use
+add_subdirectory(program)
+END
+  cat > "$folder/user/program/CMakeLists.txt" <<END
+add_executable(user_program main.cpp)
+target_link_libraries(user_program PRIVATE Hermite_diffuse_remeshing::Hermite_diffuse_remeshing)
+END
+  cat > "$folder/user/program/main.cpp" <<END
+#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
+#include <Eigen/Core>
+int main()
+{
+  return CGAL::parameters::gradation(Eigen::Vector2d(0., 0.).sum()).v == 0. ? 0 : 1;
+}
+END
+  cmake -S "$folder/user" -B "$folder/build" "$@" > "$folder/log" 2>&1 \
+    && cmake --build "$folder/build" >> "$folder/log" 2>&1 \
+    && "$folder/build/program/user_program" || { cat "$folder/log"; exit 1; }
+  [ ! -e "$folder/build/package/examples" ] \
+    || { echo "FAILED: a subfolder builds its examples"; exit 1; }
+  ;;
+
+*)
+  echo "there is no check $1" >&2
+  exit 2
+  ;;
+
+esac

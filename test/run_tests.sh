@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the tests and examples with assertions on, and runs them.
+# The last line is `N passed, N failed`.
+#
+#   test/run_tests.sh [--cgal DIR] [--build DIR] [--check-sources]
+#
+#   --cgal DIR       the root of an unpacked libcgal-dev package to use instead of the installed one
+#   --build DIR      the build folder (build/test, or build/test-cgal with --cgal)
+#   --check-sources  also check the sources themselves: every header alone, warnings, includes
+#
+# CXX and CXXFLAGS are passed on to CMake.
+set -euo pipefail
+
+root=$(realpath "$(dirname "$0")/..")
+. "$root/test/debian.sh"
+
+cgal=
+build=
+check_sources=OFF
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --cgal|--build)
+      [ $# -ge 2 ] || { echo "$1 needs a folder" >&2; exit 2; }
+      if [ "$1" = --cgal ]; then cgal=$(realpath "$2"); else build=$(realpath -m "$2"); fi
+      shift 2
+      ;;
+    --check-sources)
+      check_sources=ON
+      shift
+      ;;
+    *)
+      sed -n '2,/^set /{ s/^# \{0,1\}//p }' "$0" >&2
+      exit 2
+      ;;
+  esac
+done
+: "${build:=$root/build/test${cgal:+-cgal}}"
+
+packages=(g++ cmake make libgmp-dev libmpfr-dev libboost-dev libboost-program-options-dev
+          libeigen3-dev libtbb-dev)
+cgal_options=()
+if [ -z "$cgal" ]; then
+  packages+=(libcgal-dev)
+else
+  config=$(find "$cgal" -path '*/cmake/CGAL/CGALConfig.cmake' -print -quit)
+  [ -n "$config" ] || { echo "There is no CGALConfig.cmake below $cgal" >&2; exit 2; }
+  cgal_options+=("-DCGAL_DIR=$(dirname "$config")")
+fi
+install_missing "${packages[@]}"
+provide_data "$root/build/cgal_data"
+
+finish()
+{
+  echo "$1 passed, $2 failed"
+  [ "$2" -eq 0 ] && [ "$1" -gt 0 ]
+}
+
+say "configuring in $build"
+mkdir -p "$build"
+if ! cmake -S "$root" -B "$build" "${cgal_options[@]}" \
+       -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O2 -UNDEBUG" \
+       -DBUILD_TESTING=ON -DCGAL_DATA_DIR="$CGAL_DATA_DIR" \
+       -DHermite_diffuse_remeshing_CHECK_SOURCES=$check_sources \
+       > "$build/configure.log" 2>&1; then
+  cat "$build/configure.log"
+  finish 0 1
+  exit
+fi
+grep -E '^-- (CGAL [0-9]|The CXX compiler)' "$build/configure.log" || true
+
+# What does not compile is counted below, as a failed test.
+say "building"
+cmake --build "$build" --parallel "$(number_of_jobs)" -- --keep-going || true
+
+say "testing"
+log=$build/ctest.log
+(cd "$build" && ctest --parallel "$(number_of_jobs)" --timeout 1200 --output-on-failure) 2>&1 \
+  | tee "$log" || true
+
+# Setting up and cleaning of the folder in which the tests run are no tests.
+results=$(grep -E '^ *[0-9]+/[0-9]+ Test +#[0-9]+: ' "$log" \
+            | grep -v -E '(_SetupFixture|_CleanupFixture|check_build_system) \.+ +Passed' || true)
+passed=$(grep -c -E ' Passed +[0-9.]+ sec' <<< "$results" || true)
+failed=$(grep -c -v -E ' Passed +[0-9.]+ sec|^$' <<< "$results" || true)
+finish "$passed" "$failed"
