@@ -123,34 +123,32 @@ void test_non_manifold()
 // short chains of slightly sharp edges with a free end are noise, long or sharper ones are not
 void test_isolated_sharp_edges()
 {
-  // a strip bent along its middle line over `length` of its edges
-  const auto strip = [](const int length, const double angle)
+  // a roof over a square, steep along `length` edges of its ridge and fading to flat before and after
+  const auto roof = [](const int length, const double angle)
   {
     std::vector<Vector> points;
     std::vector<std::array<int, 3> > triangles;
-    const int n = 14;
+    const int fading = 8, n = length + 2 * fading, half_width = 4;
     for(int i = 0; i <= n; ++i)
     {
-      const int first = (n - length) / 2;
-      const bool is_inside = i > first && i < first + length;
-      const double half = is_inside || (length == 1 && (i == first || i == first + 1)) || i == first || i == first + length
-                        ? Classification::radians(angle / 2.) : 0.;
-      points.push_back(Vector(i, -2. * std::cos(half), -2. * std::sin(half)));
-      points.push_back(Vector(i, 0., 0.));
-      points.push_back(Vector(i, 2. * std::cos(half), -2. * std::sin(half)));
+      const int outside = (std::max)({0, fading - i, i - fading - length});
+      const double slope = std::tan(Classification::radians(angle / 2.)) * (1. - double(outside) / fading);
+      for(int j = -half_width; j <= half_width; ++j)
+        points.push_back(Vector(i, j, -slope * std::abs(j)));
     }
+    const int row = 2 * half_width + 1;
     for(int i = 0; i < n; ++i)
-      for(const int j : {0, 1})
+      for(int j = 0; j + 1 < row; ++j)
       {
-        const int a = 3 * i + j;
-        triangles.push_back({{a, a + 3, a + 4}});
-        triangles.push_back({{a, a + 4, a + 1}});
+        const int a = row * i + j;
+        triangles.push_back({{a, a + row, a + row + 1}});
+        triangles.push_back({{a, a + row + 1, a + 1}});
       }
     return Classification(indexed(points, triangles));
   };
-  assert(strip(1, 45.).number(SHARP_EDGE) == 0);
-  assert(strip(10, 45.).number(SHARP_EDGE) >= 10);
-  assert(strip(1, 80.).number(SHARP_EDGE) >= 1);
+  assert(roof(2, 44.).number(SHARP_EDGE) == 0);
+  assert(roof(10, 44.).number(SHARP_EDGE) >= 10);
+  assert(roof(2, 70.).number(SHARP_EDGE) >= 2);
 }
 
 int main()
