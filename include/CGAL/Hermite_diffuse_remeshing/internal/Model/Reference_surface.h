@@ -28,6 +28,8 @@ struct Model_options
   int exponent = 2;                                   // of w/(1-w): 1 or 2
   double hermite_weight = 0.3;                        // t: slopes against positions
   Normal_estimation normals = FITTED_NORMALS;
+  bool has_soft_degree = true;                        // terms of order three are damped where they are
+                                                      // not determined, see `soft_degree_ridge()`
 };
 
 // The local surface z = a0 + a1 x + a2 y + a3 x^2 + a4 xy + a5 y^2 in units of `size`, in a frame
@@ -151,7 +153,7 @@ private:
     // the ridge is relative to the weight of the data, which changes continuously with the query
     polynomial.add_ridge(2, ridge * total_weight);
     for(int order = 3; order <= Degree; ++order)
-      polynomial.add_ridge(order, cubic_ridge * total_weight);
+      polynomial.add_ridge(order, (m_options.has_soft_degree ? cubic_ridge : ridge) * total_weight);
     if(polynomial.solve() > 0.)
       for(int i = 0; i < 6; ++i)
         result.a[i] = polynomial[i];
