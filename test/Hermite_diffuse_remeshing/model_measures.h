@@ -6,6 +6,7 @@
 #include "irregular_meshes.h"
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Input_model.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_curvature_fitter.h>
 
 #include <limits>
 #include <memory>
@@ -145,16 +146,6 @@ void measure_curvature(const Input_model& model, const analytic::Test_surface& t
   result.border_curvature_p95 = quantile(on_border, 0.95);
 }
 
-inline Location location_of_node(const Cut_mesh& cut_mesh, const int i)
-{
-  const int corner = *cut_mesh.corners(i).begin();
-  Location location;
-  location.face = corner / 3;
-  location.coordinates = {{0., 0., 0.}};
-  location.coordinates[corner % 3] = 1.;
-  return location;
-}
-
 inline Accuracy measure(const Input_model& model, const analytic::Test_surface& truth,
                         const int number_of_points = 10000)
 {
@@ -163,7 +154,7 @@ inline Accuracy measure(const Input_model& model, const analytic::Test_surface& 
   const Cut_mesh& cut_mesh = model.surface.cut_mesh();
   result.h = mean_edge_length(triangles);
   measure_curvature(model, truth, [&](const int i)
-                    { return model.surface.evaluate(location_of_node(cut_mesh, i)).monge_form().curvatures(); },
+                    { return model.surface.evaluate(model.surface.location_of_node(i)).monge_form().curvatures(); },
                     result);
 
   std::vector<Vector> area_normals;

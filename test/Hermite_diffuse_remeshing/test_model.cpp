@@ -260,7 +260,7 @@ void test_interpolation()
     double gap = 0., turn = 0.;
     for(int i = 0; i < model->surface.cut_mesh().number_of_nodes(); ++i)
     {
-      const Local_quadric q = model->surface.evaluate(location_of_node(model->surface.cut_mesh(), i));
+      const Local_quadric q = model->surface.evaluate(model->surface.location_of_node(i));
       gap = (std::max)(gap, (q.point() - model->surface.node(i).position).norm() / q.size);
       turn = (std::max)(turn, angle_between(q.normal(), model->surface.node(i).normal));
     }

@@ -74,9 +74,21 @@ public:
 
   const Indexed_triangles& triangles() const { return m_triangles; }
   const Cut_mesh& cut_mesh() const { return m_cut_mesh; }
+  const std::vector<Node>& nodes() const { return m_nodes; }
   const Node& node(const int i) const { return m_nodes[i]; }
   const Node& node(const int face, const int corner) const { return m_nodes[m_cut_mesh.node(face, corner)]; }
   const Model_options& options() const { return m_options; }
+
+  // the first of its corners
+  Location location_of_node(const int i) const
+  {
+    const int corner = *m_cut_mesh.corners(i).begin();
+    Location location;
+    location.face = corner / 3;
+    location.coordinates = {{0., 0., 0.}};
+    location.coordinates[corner % 3] = 1.;
+    return location;
+  }
 
   // replaces the estimated normal of a node by one that the user knows
   void set_normal(const int node, const Vector& normal) { m_nodes[node].normal = normal; }
