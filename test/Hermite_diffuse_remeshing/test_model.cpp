@@ -161,10 +161,8 @@ void test_reference_values()
     Model_options options;
     options.degree = c.degree;
     options.has_soft_degree = false;              // the values were made without
-    const auto model = make_model(triangles, options);
-    Reference_surface surface = model->surface;
-    for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i)
-      surface.set_normal(i, surface.node(i).position);
+    const auto model = make_model(triangles, options, 180., triangles.points);     // normal = position
+    const Reference_surface& surface = model->surface;
     const Location at = {0, c.at};
     const auto check = [&](const std::string& what, const Local_quadric& quadric, const double tolerance)
     {

@@ -30,6 +30,8 @@ struct Model_options
   Normal_estimation normals = FITTED_NORMALS;
   bool has_soft_degree = true;                        // terms of order three are damped where they are
                                                       // not determined, see `soft_degree_ridge()`
+  bool is_solved_at_centroids = false;                // the paper's: one polynomial of degree 2 per face,
+                                                      // which jumps across edges
 };
 
 // The local surface z = a0 + a1 x + a2 y + a3 x^2 + a4 xy + a5 y^2 in units of `size`, in a frame
@@ -42,6 +44,18 @@ struct Local_quadric
 
   Vector point() const { return origin + size * a[0] * z_axis; }
   Vector normal() const { return (z_axis - a[1] * x_axis - a[2] * y_axis).normalized(); }
+
+  // the same quadric, expanded at the foot of p in the plane of the frame
+  Local_quadric expanded_at(const Vector& p) const
+  {
+    Local_quadric result = *this;
+    const double x = (p - origin).dot(x_axis) / size, y = (p - origin).dot(y_axis) / size;
+    result.origin = origin + size * (x * x_axis + y * y_axis);
+    result.a[0] = a[0] + x * (a[1] + a[3] * x + a[4] * y) + y * (a[2] + a[5] * y);
+    result.a[1] = a[1] + 2. * a[3] * x + a[4] * y;
+    result.a[2] = a[2] + a[4] * x + 2. * a[5] * y;
+    return result;
+  }
 
   Monge_form monge_form() const
   {
@@ -58,6 +72,7 @@ class Reference_surface
   Cut_mesh m_cut_mesh;
   std::vector<Node> m_nodes;
   Model_options m_options;
+  std::vector<Local_quadric> m_quadrics;              // of the faces, if they are solved at centroids
 
   // slopes of a normal that lies nearly in the plane of the frame carry no information
   static constexpr double least_cosine = 0.2;
@@ -65,11 +80,17 @@ class Reference_surface
 
 public:
   Reference_surface(Indexed_triangles triangles, Cut_mesh cut_mesh,
-                    const std::vector<Vertex_class>& vertex_classes, const Model_options& options)
+                    const std::vector<Vertex_class>& vertex_classes, const Model_options& options,
+                    const std::vector<Vector>& vertex_normals = std::vector<Vector>())
     : m_triangles(std::move(triangles)), m_cut_mesh(std::move(cut_mesh)),
       m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)), m_options(options)
   {
-    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, m_nodes);
+    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, m_nodes);
+    if(!options.is_solved_at_centroids)
+      return;
+    m_quadrics.reserve(m_triangles.triangles.size());
+    for(int f = 0; f < m_triangles.number_of_faces(); ++f)
+      m_quadrics.push_back(solve({f, {{1. / 3., 1. / 3., 1. / 3.}}}));
   }
 
   const Indexed_triangles& triangles() const { return m_triangles; }
@@ -90,9 +111,6 @@ public:
     return location;
   }
 
-  // replaces the estimated normal of a node by one that the user knows
-  void set_normal(const int node, const Vector& normal) { m_nodes[node].normal = normal; }
-
   // Normal blended from the corners' normals, not a fit: one or two degrees from the fitted one,
   // at a tenth of the price.
   Vector blended_normal(const Location& location) const
@@ -108,6 +126,13 @@ public:
   }
 
   Local_quadric evaluate(const Location& location) const
+  {
+    return m_quadrics.empty() ? solve(location)
+                              : m_quadrics[location.face].expanded_at(m_triangles.point(location));
+  }
+
+private:
+  Local_quadric solve(const Location& location) const
   {
     Local_quadric result;
     result.origin = m_triangles.point(location);
@@ -139,7 +164,6 @@ public:
     return result;
   }
 
-private:
   template <int Degree>
   void fit(const Location& location, const double cubic_ridge, Local_quadric& result) const
   {

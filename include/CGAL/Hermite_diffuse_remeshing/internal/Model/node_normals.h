@@ -143,10 +143,25 @@ inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std:
   return result;
 }
 
-// Sets the normals of all nodes. Always computed from the Max normals of all nodes, never from
-// normals that were just updated: the result does not depend on the order of the nodes.
+// The normal that the user gives for a vertex, on the side of a node. A vertex on a feature has several
+// sides and one normal: it belongs to those whose faces it is nearly normal to.
+inline Vector given_normal(const std::vector<Vector>& vertex_normals, const Cut_mesh& cut_mesh, const int node,
+                           const Vector& fan_normal)
+{
+  constexpr double least_cosine = 0.86602540378443865;      // cos 30 degrees
+  if(vertex_normals.empty())
+    return Vector::Zero();
+  const Vector& normal = vertex_normals[cut_mesh.vertex(node)];
+  return normal.dot(fan_normal) >= least_cosine ? normal : Vector(Vector::Zero());
+}
+
+// Sets the normals of all nodes: those that the user knows, `vertex_normals`, which are unit vectors,
+// zero where there is none, and may be missing altogether; and estimates of the others. These are
+// always computed from the Max normals of all nodes, never from normals that were just updated: the
+// result does not depend on the order of the nodes.
 inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
-                                  const Normal_estimation estimation, std::vector<Node>& nodes)
+                                  const Normal_estimation estimation, const std::vector<Vector>& vertex_normals,
+                                  std::vector<Node>& nodes)
 {
   const int n = cut_mesh.number_of_nodes();
   std::vector<Vector> normals(n, Vector::Zero());
@@ -154,21 +169,20 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
     if(!nodes[i].is_singular)
       normals[i] = fan_normal(surface, cut_mesh, i, estimation == AREA_NORMALS);
 
+  for(int i = 0; i < n; ++i)
+    nodes[i].normal = given_normal(vertex_normals, cut_mesh, i, normals[i]);
+  const auto is_unknown = [&](const int i) { return !nodes[i].has_normal() && normals[i] != Vector::Zero(); };
+
   if(estimation == SMOOTH_NORMALS)
   {
     constexpr int number_of_sweeps = 3;
     for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
       normals = smoothed_normals(cut_mesh, nodes, normals);
   }
-  else if(estimation == FITTED_NORMALS)
-  {
-    Normal_fitter fitter(cut_mesh, nodes, normals);
-    for(int i = 0; i < n; ++i)
-      nodes[i].normal = normals[i] == Vector::Zero() ? normals[i] : fitter(i);
-    return;
-  }
+  Normal_fitter fitter(cut_mesh, nodes, normals);
   for(int i = 0; i < n; ++i)
-    nodes[i].normal = normals[i];
+    if(is_unknown(i))
+      nodes[i].normal = estimation == FITTED_NORMALS ? fitter(i) : normals[i];
 }
 
 } // namespace internal
