@@ -304,6 +304,46 @@ void test_invariance()
   assert(ok);
 }
 
+// The paper's form must behave as it did when it was measured on its own: within 20 %. Curvature at
+// vertices is that of the quadratic solved there, not that of one of the faces.
+void test_form_of_paper()
+{
+  struct Case { Test_surface surface; int faces; double median, p95; };
+  const Case cases[] = {{analytic::torus(), 2000, 0.130, 0.44}, {analytic::torus(), 8000, 0.150, 0.46},
+                        {analytic::torus(), 32000, 0.152, 0.47}, {analytic::sin_cos(), 2000, 0.183, 0.47},
+                        {analytic::sin_cos(), 8000, 0.187, 0.50}, {analytic::cone(), 8000, 0.138, 0.47},
+                        {analytic::cylinder(), 8000, 0.134, 0.47}, {analytic::torus(6.), 8000, 0.280, 0.95}};
+  bool ok = true;
+  const auto is_near = [&](const std::string& what, const double value, const double expected)
+  {
+    ok = is_at_most(what, value, 1.2 * expected) && ok;
+    ok = is_at_least(what, value, expected / 1.2) && ok;
+  };
+  Model_options options;
+  options.degree = 2;
+  options.exponent = 1;
+  options.hermite_weight = 0.5;
+  options.normals = AREA_NORMALS;
+  for(const Case& c : cases)
+  {
+    const Accuracy a = measure(*make_model(indexed(c.surface.mesh(c.faces, 1)), options), c.surface);
+    is_near("paper, " + c.surface.name + ", median", a.curvature_median, c.median);
+    is_near("paper, " + c.surface.name + ", 95 %", a.curvature_p95, c.p95);
+  }
+
+  // one polynomial per face: position, how many times closer than the facets, normal in degrees
+  options.is_solved_at_centroids = true;
+  struct Row { Test_surface surface; double position, closer_than_flat, normal; };
+  for(const Row& r : {Row{analytic::torus(), 4.4e-3, 3.8, 0.60}, Row{analytic::sin_cos(), 2.5e-3, 3.3, 0.39}})
+  {
+    const Accuracy a = measure(*make_model(indexed(r.surface.mesh(8000, 1)), options), r.surface);
+    is_near("paper, " + r.surface.name + ", position", a.position, r.position);
+    is_near("paper, " + r.surface.name + ", closer than flat", a.flat / a.position, r.closer_than_flat);
+    is_near("paper, " + r.surface.name + ", normal", a.normal, r.normal);
+  }
+  assert(ok);
+}
+
 // a square of irregular faces in a plane
 void test_plane()
 {
@@ -427,6 +467,7 @@ int main()
   test_invariance();
   test_sharp_edges();
   test_projection();
+  test_form_of_paper();
   test_accuracy();
   test_orders();
   return 0;

@@ -55,15 +55,19 @@ Model_options read_model_options(const Pack& pack)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  const bool is_of_paper =
+    choose_parameter(get_parameter(pack, internal_np::surface_model), CONTINUOUS_MODEL) == PAPER_MODEL;
   Model_options options;
-  options.degree = choose_parameter(get_parameter(pack, internal_np::polynomial_degree), 3);
-  check_parameter("polynomial_degree", options.degree, 2, 4);
-  options.hermite_weight = choose_parameter(get_parameter(pack, internal_np::hermite_weight), 0.3);
+  options.is_solved_at_centroids = is_of_paper;
+  options.degree = choose_parameter(get_parameter(pack, internal_np::polynomial_degree), is_of_paper ? 2 : 3);
+  check_parameter("polynomial_degree", options.degree, 2, is_of_paper ? 2 : 4);
+  options.hermite_weight = choose_parameter(get_parameter(pack, internal_np::hermite_weight), is_of_paper ? 0.5 : 0.3);
   // with slopes only the position is not determined, with positions only the slopes do not count
   check_parameter("hermite_weight", options.hermite_weight, 0.001, 0.999);
-  options.normals = choose_parameter(get_parameter(pack, internal_np::normal_estimation), FITTED_NORMALS);
-  if(options.normals == SMOOTH_NORMALS)
-    options.exponent = 1;                // averages the noise of the positions
+  options.normals = choose_parameter(get_parameter(pack, internal_np::normal_estimation),
+                                     is_of_paper ? AREA_NORMALS : FITTED_NORMALS);
+  if(is_of_paper || options.normals == SMOOTH_NORMALS)
+    options.exponent = 1;                // the paper's; also averages the noise of the positions
   return options;
 }
 
@@ -113,16 +117,16 @@ struct Is_user_edge
   EdgeIsConstrainedMap edge_is_constrained;
   FacePatchMap face_patch;
 
-  bool operator()(const int face, const int side) const
+  bool operator()(const int f, const int side) const
   {
-    halfedge_descriptor h = halfedge(face_descriptors[face], tmesh);
+    halfedge_descriptor h = halfedge(face_descriptors[f], tmesh);
     for(int k = 0; k < side; ++k)
-      h = CGAL::next(h, tmesh);
+      h = next(h, tmesh);
     if(get(edge_is_constrained, edge(h, tmesh)))
       return true;
     const halfedge_descriptor o = opposite(h, tmesh);
     return !CGAL::is_border(o, tmesh)
-        && get(face_patch, CGAL::face(h, tmesh)) != get(face_patch, CGAL::face(o, tmesh));
+        && get(face_patch, face(h, tmesh)) != get(face_patch, face(o, tmesh));
   }
 };
 

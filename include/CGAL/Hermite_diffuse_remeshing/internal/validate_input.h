@@ -96,7 +96,7 @@ Indexed_triangles read_triangles(const TriangleMesh& tmesh, const VertexPointMap
       refuse("the number of sides of face " + std::to_string(result.number_of_faces()), degree,
              "all faces must be triangles");
     result.triangles.push_back({{get(index, source(h, tmesh)), get(index, target(h, tmesh)),
-                                 get(index, target(CGAL::next(h, tmesh), tmesh))}});
+                                 get(index, target(next(h, tmesh), tmesh))}});
     face_descriptors.push_back(f);
   }
   return result;

@@ -59,7 +59,10 @@ private:
   bool fit(const Node_frame& frame, Monge_form& result) const
   {
     // own normal: exactly the frame's; own position: there is no constant term
-    constexpr double own_weight = 1e8, weight_floor = 1e-6, ridge = 1e-9, least_pivot = 1e-9;
+    constexpr double own_weight = 1e8, ridge = 1e-9, least_pivot = 1e-9;
+    // in 1/(d^2 + floor), d relative to the node's size: where there is noise a near neighbour
+    // deserves little more trust than a far one
+    const double weight_floor = m_surface.options().normals == SMOOTH_NORMALS ? 3. : 1e-6;
     const double t = m_surface.options().hermite_weight;
     Local_polynomial<Degree> polynomial;
     polynomial.add_slopes(0., 0., 0., 0., t * own_weight);

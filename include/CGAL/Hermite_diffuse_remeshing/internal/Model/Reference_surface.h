@@ -20,6 +20,20 @@
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * chooses how the surface is evaluated between the nodes.
+ */
+enum Surface_model
+{
+  CONTINUOUS_MODEL, ///< a fit at every query, in a frame that moves with it: continuous across edges
+  PAPER_MODEL       ///< the form printed by Rassineux et al.: one quadratic per face, fitted at its centroid to
+                    ///< normals weighted by area with \f$ t = 1/2 \f$. It jumps across edges, and its curvature
+                    ///< does not converge on irregular meshes; it is there for comparison
+};
+
 namespace internal {
 
 struct Model_options
