@@ -9,7 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_SURFACE_H
 #define CGAL_HERMITE_DIFFUSE_SURFACE_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
+#include <CGAL/Hermite_diffuse_remeshing/Principal_curvatures_and_directions.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <array>
@@ -65,13 +66,9 @@ public:
   /// a face and the barycentric coordinates in it, which are not negative and add up to one
   typedef std::pair<face_descriptor, std::array<FT, 3> > Face_location;
 
-  /// principal curvatures, larger first, and unit directions of the tangent plane. A curvature is
-  /// negative where the surface bends away from its normal: both are on a sphere with outward normals.
-  struct Principal_curvatures_and_directions
-  {
-    FT maximum_curvature, minimum_curvature;
-    Vector_3 maximum_direction, minimum_direction;
-  };
+  /// principal curvatures, larger first, and unit directions of the tangent plane
+  typedef Hermite_diffuse_remeshing::Principal_curvatures_and_directions<Geom_traits>
+    Principal_curvatures_and_directions;
   /// @}
 
 private:
@@ -89,7 +86,14 @@ public:
    *        `apex_angular_defect`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
    *        `face_patch_map`, `polynomial_degree`, `hermite_weight`, `normal_estimation`,
    *        `vertex_point_map` and `geom_traits`, with the meaning and the defaults that they have for
-   *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`
+   *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, and
+   *        <ul>
+   *        <li>`vertex_normal_map`: normals that are known, as a model of `ReadablePropertyMap` with key type
+   *        `vertex_descriptor` and value type `Vector_3`. They replace estimates; zero means unknown.
+   *        At a vertex on a feature a normal is used on the sides whose faces it is nearly normal to.
+   *        <li>`surface_model`: a value of `CGAL::Hermite_diffuse_remeshing::Surface_model`, by default
+   *        `CONTINUOUS_MODEL`. `PAPER_MODEL` has degree 2.
+   *        </ul>
    *
    * Takes time and memory proportional to the number of faces, but for the sorting of the edges and
    * the search tree, which add a logarithmic factor.
@@ -107,30 +111,17 @@ public:
     using namespace Hermite_diffuse_remeshing::internal;
 
     const auto& pack = Hermite_diffuse_remeshing::internal::pack(np);
-    typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
     static_assert(std::is_floating_point<FT>::value,
                   "Hermite_diffuse_surface needs a kernel with floating point coordinates: "
                   "its constructions are least-squares fits, which are not exact");
     m_traits = choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits));
     const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
                                       get_const_property_map(CGAL::vertex_point, tmesh));
-    const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
-                                      Static_boolean_property_map<edge_descriptor, false>());
-    const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
-                                      Static_boolean_property_map<vertex_descriptor, false>());
-    const auto fpm = choose_parameter(get_parameter(pack, internal_np::face_patch),
-                                      Constant_property_map<face_descriptor, int>());
-
-    const Feature_options feature_options = read_feature_options(pack);
-    const Model_options model_options = read_model_options(pack);
     const Indexed_triangles triangles = read_triangles(tmesh, vpm, m_traits, m_faces);
     for(std::size_t i = 0; i < m_faces.size(); ++i)
       put(m_rank, m_faces[i], static_cast<int>(i));
     const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
-    const Is_user_edge<TriangleMesh, std::decay_t<decltype(ecm)>, std::decay_t<decltype(fpm)> >
-      is_user_edge{tmesh, m_faces, ecm, fpm};
-    m_model.reset(new Input_model(triangles, feature_options, model_options, is_user_edge,
-                                  [&](const int v) { return get(vcm, vertex_descriptors[v]); }));
+    m_model = read_model(tmesh, triangles, vertex_descriptors, m_faces, m_traits, pack);
   }
 
   /// \name Evaluation
@@ -166,6 +157,20 @@ public:
 
   /// \name Location
   /// @{
+
+  /// returns the location of the target of a halfedge, on the side of its face: the two sides of a sharp
+  /// edge have different normals and curvatures there.
+  ///
+  /// \pre `h` is not a border halfedge.
+  Face_location vertex_location(const halfedge_descriptor h, const TriangleMesh& tmesh) const
+  {
+    CGAL_precondition(!is_border(h, tmesh));
+    const halfedge_descriptor first = halfedge(face(h, tmesh), tmesh);
+    Face_location result(face(h, tmesh), {{FT(0), FT(0), FT(0)}});
+    const int corner = h == first ? 1 : h == next(first, tmesh) ? 2 : 0;
+    result.second[corner] = FT(1);
+    return result;
+  }
 
   /// returns the location of the point of the facets of the mesh that is closest to `query`.
   Face_location locate(const Point_3& query) const

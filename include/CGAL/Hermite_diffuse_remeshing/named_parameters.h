@@ -31,7 +31,14 @@
   ADD(vertex_location_map_t, vertex_location_map, vertex_location_map)           \
   ADD(face_origin_map_t, face_origin_map, face_origin_map)                       \
   ADD(vertex_size_map_t, vertex_size_map, vertex_size_map)                       \
-  ADD(face_deviation_map_t, face_deviation_map, face_deviation_map)
+  ADD(face_deviation_map_t, face_deviation_map, face_deviation_map)              \
+  ADD(surface_model_t, surface_model, surface_model)                             \
+  ADD(mean_curvature_map_t, mean_curvature_map, mean_curvature_map)              \
+  ADD(gaussian_curvature_map_t, gaussian_curvature_map, gaussian_curvature_map)  \
+  ADD(principal_curvatures_map_t, principal_curvatures_map, principal_curvatures_map) \
+  ADD(mean_curvature_t, mean_curvature, mean_curvature)                          \
+  ADD(gaussian_curvature_t, gaussian_curvature, gaussian_curvature)              \
+  ADD(principal_curvatures_t, principal_curvatures, principal_curvatures)
 
 #define CGAL_HDR_SHARED_PARAMETERS(ADD)                                           \
   ADD(geom_traits_t, geom_traits, geom_traits)                                   \

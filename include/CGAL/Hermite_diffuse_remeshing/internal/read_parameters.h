@@ -57,15 +57,19 @@ Model_options read_model_options(const Pack& pack)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
+  const bool is_of_paper =
+    choose_parameter(get_parameter(pack, internal_np::surface_model), CONTINUOUS_MODEL) == PAPER_MODEL;
   Model_options options;
-  options.degree = choose_parameter(get_parameter(pack, internal_np::polynomial_degree), 3);
-  check_parameter("polynomial_degree", options.degree, 2, 4);
-  options.hermite_weight = choose_parameter(get_parameter(pack, internal_np::hermite_weight), 0.3);
+  options.is_solved_at_centroids = is_of_paper;
+  options.degree = choose_parameter(get_parameter(pack, internal_np::polynomial_degree), is_of_paper ? 2 : 3);
+  check_parameter("polynomial_degree", options.degree, 2, is_of_paper ? 2 : 4);
+  options.hermite_weight = choose_parameter(get_parameter(pack, internal_np::hermite_weight), is_of_paper ? 0.5 : 0.3);
   // with slopes only the position is not determined, with positions only the slopes do not count
   check_parameter("hermite_weight", options.hermite_weight, 0.001, 0.999);
-  options.normals = choose_parameter(get_parameter(pack, internal_np::normal_estimation), FITTED_NORMALS);
-  if(options.normals == SMOOTH_NORMALS)
-    options.exponent = 1;                // averages the noise of the positions
+  options.normals = choose_parameter(get_parameter(pack, internal_np::normal_estimation),
+                                     is_of_paper ? AREA_NORMALS : FITTED_NORMALS);
+  if(is_of_paper || options.normals == SMOOTH_NORMALS)
+    options.exponent = 1;                // the paper's; also averages the noise of the positions
   return options;
 }
 

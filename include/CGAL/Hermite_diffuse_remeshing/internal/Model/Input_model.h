@@ -35,13 +35,15 @@ struct Input_model
   Reference_surface surface;
   Reference_locator locator;
 
-  // `is_edge_constrained(face, side)`, `is_vertex_constrained(vertex)`: the user's features
+  // `is_edge_constrained(face, side)`, `is_vertex_constrained(vertex)`: the user's features;
+  // `vertex_normals`: unit normals that the user knows, or zero, or no vector at all
   template <typename IsEdgeConstrained, typename IsVertexConstrained>
   Input_model(const Indexed_triangles& triangles, const Feature_options& features, const Model_options& options,
-              const IsEdgeConstrained& is_edge_constrained, const IsVertexConstrained& is_vertex_constrained)
+              const IsEdgeConstrained& is_edge_constrained, const IsVertexConstrained& is_vertex_constrained,
+              const std::vector<Vector>& vertex_normals = std::vector<Vector>())
     : edges(triangles)
     , edge_classes(classify_edges(triangles, edges, features.sharp_angle, is_edge_constrained))
-    , surface(make_surface(triangles, features, options, is_vertex_constrained))
+    , surface(make_surface(triangles, features, options, is_vertex_constrained, vertex_normals))
     , locator(surface)
   {}
 
@@ -51,13 +53,14 @@ struct Input_model
 private:
   template <typename IsVertexConstrained>
   Reference_surface make_surface(const Indexed_triangles& triangles, const Feature_options& features,
-                                 const Model_options& options, const IsVertexConstrained& is_vertex_constrained)
+                                 const Model_options& options, const IsVertexConstrained& is_vertex_constrained,
+                                 const std::vector<Vector>& vertex_normals)
   {
     Cut_mesh cut_mesh(triangles, edges, edge_classes);
     vertex_classes = classify_vertices(triangles, edges, edge_classes, cut_mesh, features.corner_angle,
                                        features.apex_defect, is_vertex_constrained);
     curves = chain_feature_edges(triangles, edges, edge_classes, vertex_classes);
-    return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options);
+    return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options, vertex_normals);
   }
 };
 

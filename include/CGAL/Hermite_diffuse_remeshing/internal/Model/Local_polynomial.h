@@ -44,6 +44,18 @@ public:
     m_coefficients.fill(0.);
   }
 
+  // row . a = rhs, any linear equation of the coefficients a
+  void add_equation(const std::array<double, size>& row, const double rhs, const double weight)
+  {
+    for(int i = 0; i < size; ++i)
+    {
+      const double w = weight * row[i];
+      for(int j = 0; j <= i; ++j)
+        m_matrix[i][j] += w * row[j];
+      m_rhs[i] += w * rhs;
+    }
+  }
+
   // f(x,y) = z
   void add_position(const double x, const double y, const double z, const double weight)
   {
@@ -163,17 +175,6 @@ private:
           row[i] = j < order ? (order - j) * m[lower + j] : 0.;
         else
           row[i] = j > 0 ? j * m[lower + j - 1] : 0.;
-    }
-  }
-
-  void add_equation(const std::array<double, size>& row, const double rhs, const double weight)
-  {
-    for(int i = 0; i < size; ++i)
-    {
-      const double w = weight * row[i];
-      for(int j = 0; j <= i; ++j)
-        m_matrix[i][j] += w * row[j];
-      m_rhs[i] += w * rhs;
     }
   }
 };

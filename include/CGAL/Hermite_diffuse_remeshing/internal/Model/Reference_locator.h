@@ -188,6 +188,8 @@ public:
   Projection project(const Vector& p, const int hint, const double tolerance = 1e-6) const
   {
     constexpr int maximum_number_of_steps = 30;
+    // a step far below the tolerance; one just below it may still be the one that reaches it
+    constexpr double stall = 1e-3;
     Projection best;
     best.location = walk(p, hint);
     best.quadric = m_surface.evaluate(best.location);
@@ -198,7 +200,7 @@ public:
       const Vector target = base_point_of_foot(current.quadric, p);
       const Location location = walk_along(target, current.location.face, current.quadric.z_axis);
       if((m_surface.triangles().point(location) - current.quadric.origin).norm()
-         <= tolerance * current.quadric.size)
+         <= stall * tolerance * current.quadric.size)
         break;                   // stopped by a border or a feature
       current.location = location;
       current.quadric = m_surface.evaluate(location);

@@ -20,6 +20,20 @@
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * chooses how the surface is evaluated between the nodes.
+ */
+enum Surface_model
+{
+  CONTINUOUS_MODEL, ///< a fit at every query, in a frame that moves with it: continuous across edges
+  PAPER_MODEL       ///< the form printed by Rassineux et al.: one quadratic per face, fitted at its centroid to
+                    ///< normals weighted by area with \f$ t = 1/2 \f$. It jumps across edges, and its curvature
+                    ///< does not converge on irregular meshes; it is there for comparison
+};
+
 namespace internal {
 
 struct Model_options
@@ -28,6 +42,10 @@ struct Model_options
   int exponent = 2;                                   // of w/(1-w): 1 or 2
   double hermite_weight = 0.3;                        // t: slopes against positions
   Normal_estimation normals = FITTED_NORMALS;
+  bool has_soft_degree = true;                        // terms of order three are damped where they are
+                                                      // not determined, see `soft_degree_ridge()`
+  bool is_solved_at_centroids = false;                // the paper's: one polynomial of degree 2 per face,
+                                                      // which jumps across edges
 };
 
 // The local surface z = a0 + a1 x + a2 y + a3 x^2 + a4 xy + a5 y^2 in units of `size`, in a frame
@@ -40,6 +58,18 @@ struct Local_quadric
 
   Vector point() const { return origin + size * a[0] * z_axis; }
   Vector normal() const { return (z_axis - a[1] * x_axis - a[2] * y_axis).normalized(); }
+
+  // the same quadric, expanded at the foot of p in the plane of the frame
+  Local_quadric expanded_at(const Vector& p) const
+  {
+    Local_quadric result = *this;
+    const double x = (p - origin).dot(x_axis) / size, y = (p - origin).dot(y_axis) / size;
+    result.origin = origin + size * (x * x_axis + y * y_axis);
+    result.a[0] = a[0] + x * (a[1] + a[3] * x + a[4] * y) + y * (a[2] + a[5] * y);
+    result.a[1] = a[1] + 2. * a[3] * x + a[4] * y;
+    result.a[2] = a[2] + a[4] * x + 2. * a[5] * y;
+    return result;
+  }
 
   Monge_form monge_form() const
   {
@@ -56,6 +86,7 @@ class Reference_surface
   Cut_mesh m_cut_mesh;
   std::vector<Node> m_nodes;
   Model_options m_options;
+  std::vector<Local_quadric> m_quadrics;              // of the faces, if they are solved at centroids
 
   // slopes of a normal that lies nearly in the plane of the frame carry no information
   static constexpr double least_cosine = 0.2;
@@ -63,21 +94,36 @@ class Reference_surface
 
 public:
   Reference_surface(Indexed_triangles triangles, Cut_mesh cut_mesh,
-                    const std::vector<Vertex_class>& vertex_classes, const Model_options& options)
+                    const std::vector<Vertex_class>& vertex_classes, const Model_options& options,
+                    const std::vector<Vector>& vertex_normals = std::vector<Vector>())
     : m_triangles(std::move(triangles)), m_cut_mesh(std::move(cut_mesh)),
       m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)), m_options(options)
   {
-    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, m_nodes);
+    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, m_nodes);
+    if(!options.is_solved_at_centroids)
+      return;
+    m_quadrics.reserve(m_triangles.triangles.size());
+    for(int f = 0; f < m_triangles.number_of_faces(); ++f)
+      m_quadrics.push_back(solve({f, {{1. / 3., 1. / 3., 1. / 3.}}}));
   }
 
   const Indexed_triangles& triangles() const { return m_triangles; }
   const Cut_mesh& cut_mesh() const { return m_cut_mesh; }
+  const std::vector<Node>& nodes() const { return m_nodes; }
   const Node& node(const int i) const { return m_nodes[i]; }
   const Node& node(const int face, const int corner) const { return m_nodes[m_cut_mesh.node(face, corner)]; }
   const Model_options& options() const { return m_options; }
 
-  // replaces the estimated normal of a node by one that the user knows
-  void set_normal(const int node, const Vector& normal) { m_nodes[node].normal = normal; }
+  // the first of its corners
+  Location location_of_node(const int i) const
+  {
+    const int corner = *m_cut_mesh.corners(i).begin();
+    Location location;
+    location.face = corner / 3;
+    location.coordinates = {{0., 0., 0.}};
+    location.coordinates[corner % 3] = 1.;
+    return location;
+  }
 
   // Normal blended from the corners' normals, not a fit: one or two degrees from the fitted one,
   // at a tenth of the price.
@@ -94,6 +140,13 @@ public:
   }
 
   Local_quadric evaluate(const Location& location) const
+  {
+    return m_quadrics.empty() ? solve(location)
+                              : m_quadrics[location.face].expanded_at(m_triangles.point(location));
+  }
+
+private:
+  Local_quadric solve(const Location& location) const
   {
     Local_quadric result;
     result.origin = m_triangles.point(location);
@@ -125,7 +178,6 @@ public:
     return result;
   }
 
-private:
   template <int Degree>
   void fit(const Location& location, const double cubic_ridge, Local_quadric& result) const
   {
@@ -151,7 +203,7 @@ private:
     // the ridge is relative to the weight of the data, which changes continuously with the query
     polynomial.add_ridge(2, ridge * total_weight);
     for(int order = 3; order <= Degree; ++order)
-      polynomial.add_ridge(order, cubic_ridge * total_weight);
+      polynomial.add_ridge(order, (m_options.has_soft_degree ? cubic_ridge : ridge) * total_weight);
     if(polynomial.solve() > 0.)
       for(int i = 0; i < 6; ++i)
         result.a[i] = polynomial[i];

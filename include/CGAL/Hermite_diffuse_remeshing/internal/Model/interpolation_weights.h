@@ -14,6 +14,8 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -42,20 +44,26 @@ inline void add_node_weight(Node_weights& weights, const int node, const double 
   weights.push_back({node, weight});
 }
 
+// The corners are taken in the order of their nodes, not of the face: both faces of an edge then add
+// up the same numbers in the same order, and what is evaluated on the edge is equal to the last bit.
 inline void collect_node_weights(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
                                  const Location& location, Node_weights& weights)
 {
   weights.clear();
+  std::array<Node_weight, 3> corners;
   for(int k = 0; k < 3; ++k)
-    if(location.coordinates[k] > 0.)
-      add_node_weight(weights, cut_mesh.node(location.face, k), location.coordinates[k]);
-  for(int k = 0; k < 3; ++k)
-  {
-    const int corner = cut_mesh.node(location.face, k);
-    if(location.coordinates[k] > 0. && !nodes[corner].is_singular)
-      for(const int j : cut_mesh.ring(corner))
-        add_node_weight(weights, j, location.coordinates[k] / 2.);
-  }
+    corners[k] = {cut_mesh.node(location.face, k), location.coordinates[k]};
+  for(const int k : {0, 1, 0})
+    if(corners[k + 1].node < corners[k].node)
+      std::swap(corners[k], corners[k + 1]);
+
+  for(const Node_weight& corner : corners)
+    if(corner.weight > 0.)
+      add_node_weight(weights, corner.node, corner.weight);
+  for(const Node_weight& corner : corners)
+    if(corner.weight > 0. && !nodes[corner.node].is_singular)
+      for(const int j : cut_mesh.ring(corner.node))
+        add_node_weight(weights, j, corner.weight / 2.);
 }
 
 // omega = (w/(1-w))^exponent, bounded: makes a fit interpolate the node where w is 1. Exponent 1 is

@@ -10,11 +10,8 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_NODE_NORMALS_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Local_polynomial.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_neighborhood.h>
 
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -57,46 +54,12 @@ inline Vector fan_normal(const Indexed_triangles& surface, const Cut_mesh& cut_m
   return norm > 0. ? Vector(sum / norm) : Vector(Vector::Zero());
 }
 
-// Frame at a node with lengths divided by the node's size. The x axis points to the first
-// neighbour, so that it turns with the surface and the pivots of a fit do not depend on how the
-// input lies in space.
-struct Node_frame
-{
-  Vector origin, x_axis, y_axis, z_axis;
-  double size;
-
-  Node_frame(const Vector& origin, const Vector& z_axis, const Vector& towards, const double size)
-    : origin(origin), z_axis(z_axis), size(size)
-  {
-    const Vector d = towards - origin;
-    x_axis = d - d.dot(z_axis) * z_axis;
-    const double norm = x_axis.norm();
-    // relative to the neighbour's distance: a neighbour straight above gives no direction
-    constexpr double least_slope = 1e-6;
-    x_axis = norm > least_slope * d.norm() ? Vector(x_axis / norm) : any_normal(z_axis);
-    y_axis = z_axis.cross(x_axis);
-  }
-
-  Vector local(const Vector& p) const
-  {
-    const Vector d = (p - origin) / size;
-    return Vector(d.dot(x_axis), d.dot(y_axis), d.dot(z_axis));
-  }
-
-  Vector normal_of_slopes(const double p, const double q) const
-  {
-    return (z_axis - p * x_axis - q * y_axis).normalized();
-  }
-};
-
 class Normal_fitter
 {
   const Cut_mesh& m_cut_mesh;
   const std::vector<Node>& m_nodes;
   const std::vector<Vector>& m_max_normals;
-  std::vector<int> m_neighbors;
-  std::size_t m_first_of_last_ring = 0;
-  std::vector<int> m_mark;              // node that has seen another node last
+  Node_neighborhood m_neighborhood;
 
   // spare neighbours beyond the number of unknowns
   static constexpr int surplus = 3;
@@ -111,62 +74,34 @@ class Normal_fitter
 public:
   Normal_fitter(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
                 const std::vector<Vector>& max_normals)
-    : m_cut_mesh(cut_mesh), m_nodes(nodes), m_max_normals(max_normals), m_mark(nodes.size(), -1)
+    : m_cut_mesh(cut_mesh), m_nodes(nodes), m_max_normals(max_normals), m_neighborhood(cut_mesh, nodes)
   {}
 
   Vector operator()(const int node)
   {
-    m_neighbors.clear();
-    m_first_of_last_ring = 0;
-    m_mark[node] = node;
-    add_ring_of(node, node);
-    add_next_ring(node);
-
+    // a border node sees one side only, and a node of few neighbours few points: they look further
+    m_neighborhood.collect(node, m_cut_mesh.is_open(node) ? 3 : 2);
+    if(!has_enough<4>())
+      m_neighborhood.add_ring();
     const Node_frame frame(m_nodes[node].position, m_max_normals[node],
                            m_nodes[*m_cut_mesh.ring(node).begin()].position, m_nodes[node].size);
     Vector normal;
     if(fit<4>(frame, normal) || fit<3>(frame, normal) || fit<2>(frame, normal))
       return normal;
-    constexpr int quadratic_unknowns = Local_polynomial<2>::size - 1;
-    if(int(m_neighbors.size()) < quadratic_unknowns + surplus)
-    {
-      add_next_ring(node);
-      if(fit<2>(frame, normal))
-        return normal;
-    }
     return m_max_normals[node];
   }
 
 private:
-  void add_ring_of(const int center, const int of)
-  {
-    if(m_nodes[of].is_singular)
-      return;
-    for(const int j : m_cut_mesh.ring(of))
-      if(m_mark[j] != center)
-      {
-        m_mark[j] = center;
-        if(!m_nodes[j].is_singular)
-          m_neighbors.push_back(j);
-      }
-  }
-
-  void add_next_ring(const int center)
-  {
-    const std::size_t end = m_neighbors.size();
-    for(std::size_t i = m_first_of_last_ring; i < end; ++i)
-      add_ring_of(center, m_neighbors[i]);
-    m_first_of_last_ring = end;
-  }
+  template <int Degree>
+  bool has_enough() const { return m_neighborhood.size() >= Local_polynomial<Degree>::size - 1 + surplus; }
 
   template <int Degree>
   bool fit(const Node_frame& frame, Vector& normal) const
   {
-    typedef Local_polynomial<Degree> Polynomial;
-    if(int(m_neighbors.size()) < Polynomial::size - 1 + surplus)
+    if(!has_enough<Degree>())
       return false;
-    Polynomial polynomial;
-    for(const int j : m_neighbors)
+    Local_polynomial<Degree> polynomial;
+    for(const int j : m_neighborhood.neighbors())
     {
       const Vector x = frame.local(m_nodes[j].position);
       polynomial.add_position(x[0], x[1], x[2], 1. / (x.squaredNorm() + weight_floor));
@@ -183,7 +118,7 @@ private:
 inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
                                             const std::vector<Vector>& normals)
 {
-  constexpr double slope_weight = 0.5, least_cosine = 0.2;
+  constexpr double slope_weight = 0.5;
   std::vector<Vector> result(normals);
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
   {
@@ -197,10 +132,9 @@ inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std:
     {
       const Vector x = frame.local(nodes[j].position);
       polynomial.add_position(x[0], x[1], x[2], 1. - slope_weight);
-      const double nz = normals[j].dot(frame.z_axis);
-      if(nz > least_cosine)
-        polynomial.add_slopes(x[0], x[1], -normals[j].dot(frame.x_axis) / nz,
-                              -normals[j].dot(frame.y_axis) / nz, slope_weight);
+      double p, q;
+      if(frame.slopes_of_normal(normals[j], p, q))
+        polynomial.add_slopes(x[0], x[1], p, q, slope_weight);
     }
     polynomial.add_ridge(2, 1e-9 * (ring.size() + 1));
     if(polynomial.solve() > 0.)
@@ -209,10 +143,25 @@ inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std:
   return result;
 }
 
-// Sets the normals of all nodes. Always computed from the Max normals of all nodes, never from
-// normals that were just updated: the result does not depend on the order of the nodes.
+// The normal that the user gives for a vertex, on the side of a node. A vertex on a feature has several
+// sides and one normal: it belongs to those whose faces it is nearly normal to.
+inline Vector given_normal(const std::vector<Vector>& vertex_normals, const Cut_mesh& cut_mesh, const int node,
+                           const Vector& fan_normal)
+{
+  constexpr double least_cosine = 0.86602540378443865;      // cos 30 degrees
+  if(vertex_normals.empty())
+    return Vector::Zero();
+  const Vector& normal = vertex_normals[cut_mesh.vertex(node)];
+  return normal.dot(fan_normal) >= least_cosine ? normal : Vector(Vector::Zero());
+}
+
+// Sets the normals of all nodes: those that the user knows, `vertex_normals`, which are unit vectors,
+// zero where there is none, and may be missing altogether; and estimates of the others. These are
+// always computed from the Max normals of all nodes, never from normals that were just updated: the
+// result does not depend on the order of the nodes.
 inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
-                                  const Normal_estimation estimation, std::vector<Node>& nodes)
+                                  const Normal_estimation estimation, const std::vector<Vector>& vertex_normals,
+                                  std::vector<Node>& nodes)
 {
   const int n = cut_mesh.number_of_nodes();
   std::vector<Vector> normals(n, Vector::Zero());
@@ -220,21 +169,20 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
     if(!nodes[i].is_singular)
       normals[i] = fan_normal(surface, cut_mesh, i, estimation == AREA_NORMALS);
 
+  for(int i = 0; i < n; ++i)
+    nodes[i].normal = given_normal(vertex_normals, cut_mesh, i, normals[i]);
+  const auto is_unknown = [&](const int i) { return !nodes[i].has_normal() && normals[i] != Vector::Zero(); };
+
   if(estimation == SMOOTH_NORMALS)
   {
     constexpr int number_of_sweeps = 3;
     for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
       normals = smoothed_normals(cut_mesh, nodes, normals);
   }
-  else if(estimation == FITTED_NORMALS)
-  {
-    Normal_fitter fitter(cut_mesh, nodes, normals);
-    for(int i = 0; i < n; ++i)
-      nodes[i].normal = normals[i] == Vector::Zero() ? normals[i] : fitter(i);
-    return;
-  }
+  Normal_fitter fitter(cut_mesh, nodes, normals);
   for(int i = 0; i < n; ++i)
-    nodes[i].normal = normals[i];
+    if(is_unknown(i))
+      nodes[i].normal = estimation == FITTED_NORMALS ? fitter(i) : normals[i];
 }
 
 } // namespace internal

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_NODE_CURVATURE_FITTER_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_NODE_CURVATURE_FITTER_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
+
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Curvature at nodes by a larger fit than that of `Reference_surface`: Hermite data of two rings,
+// three at a border, in the frame of the node's own normal, through the node. Its error is about five
+// times smaller on clean meshes. The degree is 4, but 3 where the normals are smoothed: noise asks
+// for fewer coefficients.
+class Node_curvature_fitter
+{
+  const Reference_surface& m_surface;
+  Node_neighborhood m_neighborhood;
+
+public:
+  explicit Node_curvature_fitter(const Reference_surface& surface)
+    : m_surface(surface), m_neighborhood(surface.cut_mesh(), surface.nodes())
+  {}
+
+  // A node without a normal has no curvature: its Monge form is flat, with the mean normal of its faces.
+  Monge_form operator()(const int node)
+  {
+    const Node& center = m_surface.node(node);
+    if(center.is_singular || !center.has_normal())
+      return evaluated(node);
+    m_neighborhood.collect(node, m_surface.cut_mesh().is_open(node) ? 3 : 2);
+    const Node_frame frame(center.position, center.normal,
+                           m_surface.node(*m_surface.cut_mesh().ring(node).begin()).position, center.size);
+    Monge_form result;
+    constexpr int least_number_for_quartic = 8;
+    const bool is_smooth = m_surface.options().normals == SMOOTH_NORMALS;
+    if(!is_smooth && m_neighborhood.size() >= least_number_for_quartic && fit<4>(frame, result))
+      return result;
+    if(fit<3>(frame, result))
+      return result;
+    return evaluated(node);
+  }
+
+private:
+  Monge_form evaluated(const int node) const
+  {
+    return m_surface.evaluate(m_surface.location_of_node(node)).monge_form();
+  }
+
+  template <int Degree>
+  bool fit(const Node_frame& frame, Monge_form& result) const
+  {
+    // own normal: exactly the frame's; own position: there is no constant term
+    constexpr double own_weight = 1e8, ridge = 1e-9, least_pivot = 1e-9;
+    // in 1/(d^2 + floor), d relative to the node's size: where there is noise a near neighbour
+    // deserves little more trust than a far one
+    const double weight_floor = m_surface.options().normals == SMOOTH_NORMALS ? 3. : 1e-6;
+    const double t = m_surface.options().hermite_weight;
+    Local_polynomial<Degree> polynomial;
+    polynomial.add_slopes(0., 0., 0., 0., t * own_weight);
+    double total_weight = 0.;
+    for(const int j : m_neighborhood.neighbors())
+    {
+      const Vector x = frame.local(m_surface.node(j).position);
+      const double weight = 1. / (x.squaredNorm() + weight_floor);
+      total_weight += weight;
+      polynomial.add_position(x[0], x[1], x[2], (1. - t) * weight);
+      double p, q;
+      if(frame.slopes_of_normal(m_surface.node(j).normal, p, q))
+        polynomial.add_slopes(x[0], x[1], p, q, t * weight);
+    }
+    for(int order = 2; order <= Degree; ++order)
+      polynomial.add_ridge(order, ridge * total_weight);
+    if(polynomial.solve(1) < least_pivot)
+      return false;
+    result = {frame.x_axis, frame.y_axis, frame.z_axis, polynomial[1], polynomial[2],
+              2. * polynomial[3] / frame.size, polynomial[4] / frame.size, 2. * polynomial[5] / frame.size};
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_NODE_CURVATURE_FITTER_H

@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CURVATURES_H
+#define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CURVATURES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Principal_curvatures_and_directions.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_curvature_fitter.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/collect_neighborhood.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
+#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
+
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Of a vertex with several sides the side that bends most counts; the first of those that are equal but
+// for rounding.
+inline void keep_larger(Principal_curvatures& of_vertex, const Principal_curvatures& of_node)
+{
+  constexpr double rounding = 1e-9;
+  if(of_vertex.maximum_direction == Vector::Zero()
+     || of_node.largest_absolute() > (1. + rounding) * of_vertex.largest_absolute())
+    of_vertex = of_node;
+}
+
+template <typename GeomTraits>
+Principal_curvatures_and_directions<GeomTraits> to_public(const Principal_curvatures& k, const GeomTraits& traits)
+{
+  typedef typename GeomTraits::FT FT;
+  const auto vector = traits.construct_vector_3_object();
+  Principal_curvatures_and_directions<GeomTraits> result;
+  result.maximum_curvature = FT(k.maximum);
+  result.minimum_curvature = FT(k.minimum);
+  result.maximum_direction = vector(FT(k.maximum_direction[0]), FT(k.maximum_direction[1]), FT(k.maximum_direction[2]));
+  result.minimum_direction = vector(FT(k.minimum_direction[0]), FT(k.minimum_direction[1]), FT(k.minimum_direction[2]));
+  return result;
+}
+
+// to the variable that the user refers to, if he does
+template <typename Value>
+void assign(const std::reference_wrapper<Value> variable, const Value& value) { variable.get() = value; }
+template <typename Value>
+void assign(const internal_np::Param_not_found&, const Value&) {}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * computes curvatures at all vertices of a triangle mesh: by a polynomial of degree 4 that is fitted, at
+ * each vertex, to the positions and estimated normals of two rings of neighbors, three at a border.
+ * The fit stays on its side of every sharp edge, border and user feature; at a vertex with
+ * several sides the curvature of the side that bends most is written. A curvature is negative where the
+ * surface bends away from its normal: both are on a sphere with outward normals. At the tip of a
+ * cone, which has none, and at isolated vertices the curvatures are zero.
+ *
+ * On irregular meshes whose vertices lie on a smooth surface the error decreases at least with the square of the
+ * edge length. With vertices that do not, `normal_estimation(SMOOTH_NORMALS)` averages normals over
+ * several rings and fits polynomials of degree 3.
+ *
+ * Takes time and memory proportional to the number of faces, but for a logarithmic factor.
+ *
+ * A chain of parameters must begin with one of this package's own, then takes these and those of \cgal
+ * in any order.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * @param tmesh the mesh
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below.
+ *        `GT` stands for the type of the object given by `geom_traits`.
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{mean_curvature_map}
+ *     \cgalParamDescription{output: mean curvatures, half the sum of the principal ones, in one over the unit
+ *       of length}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type `GT::FT`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{gaussian_curvature_map}
+ *     \cgalParamDescription{output: Gaussian curvatures, the product of the principal ones}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type `GT::FT`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{principal_curvatures_map}
+ *     \cgalParamDescription{output: principal curvatures and directions}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
+ *       `CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT>`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{normal_estimation}
+ *     \cgalParamDescription{how the normals at the vertices are estimated}
+ *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Normal_estimation`}
+ *     \cgalParamDefault{`FITTED_NORMALS`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_normal_map}
+ *     \cgalParamDescription{normals that are known, zero where they are not}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type `GT::Vector_3`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map,
+ *     vertex_is_constrained_map, face_patch_map, hermite_weight}
+ *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the vertices}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type `GT::Point_3`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a model of `HermiteDiffuseRemeshingTraits`}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
+ *        that is not finite, or if a parameter is out of its range
+ *
+ * @sa `CGAL::Hermite_diffuse_surface`
+ */
+template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
+void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
+                                const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using namespace CGAL::Hermite_diffuse_remeshing;
+  using namespace CGAL::Hermite_diffuse_remeshing::internal;
+  const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
+  typedef typename GT::FT FT;
+  static_assert(std::is_floating_point<FT>::value,
+                "hermite_diffuse_curvatures() needs a kernel with floating point coordinates");
+
+  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
+  const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, tmesh));
+  std::vector<typename Graph_traits::face_descriptor> face_descriptors;
+  const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
+  const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
+  const std::unique_ptr<Input_model> model =
+    read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack);
+
+  const auto mean = choose_parameter(get_parameter(pack, internal_np::mean_curvature_map),
+                                     Constant_property_map<vertex_descriptor, FT>());
+  const auto gaussian = choose_parameter(get_parameter(pack, internal_np::gaussian_curvature_map),
+                                         Constant_property_map<vertex_descriptor, FT>());
+  typedef Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT> Principal;
+  const auto principal = choose_parameter(get_parameter(pack, internal_np::principal_curvatures_map),
+                                          Constant_property_map<vertex_descriptor, Principal>());
+  std::vector<Principal_curvatures> curvatures(vertex_descriptors.size());
+  Node_curvature_fitter fitter(model->surface);
+  const Cut_mesh& cut_mesh = model->surface.cut_mesh();
+  for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
+    keep_larger(curvatures[cut_mesh.vertex(i)], fitter(i).principal_curvatures());
+  for(std::size_t i = 0; i < vertex_descriptors.size(); ++i)
+  {
+    const Principal k = to_public(curvatures[i], gt);
+    put(mean, vertex_descriptors[i], k.mean_curvature());
+    put(gaussian, vertex_descriptors[i], k.gaussian_curvature());
+    put(principal, vertex_descriptors[i], k);
+  }
+}
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * computes curvatures at one vertex of a triangle mesh, from the faces around it alone: the same values as
+ * the function for all vertices, but for rounding.
+ *
+ * The parameters are the same, except for the results, which are assigned to variables given by `std::ref`:
+ * `mean_curvature` and `gaussian_curvature` to a `GT::FT`, `principal_curvatures` to a
+ * `CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT>`.
+ *
+ * Takes time proportional to the number of faces within eight edges of the vertex.
+ *
+ * @param v the vertex
+ * @param tmesh the mesh
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * \throw std::invalid_argument if a face around the vertex is not a triangle or has a coordinate that is
+ *        not finite, or if a parameter is out of its range
+ */
+template <typename TriangleMesh, typename NamedParameters>
+void hermite_diffuse_curvatures(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+                                const TriangleMesh& tmesh, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using namespace CGAL::Hermite_diffuse_remeshing::internal;
+  const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
+  static_assert(std::is_floating_point<typename GT::FT>::value,
+                "hermite_diffuse_curvatures() needs a kernel with floating point coordinates");
+
+  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
+  const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, tmesh));
+  // three rings for the fit, four for the normal of the outermost, one for the faces around it
+  constexpr int number_of_rings = 8;
+  std::vector<typename Graph_traits::face_descriptor> face_descriptors;
+  std::vector<typename Graph_traits::vertex_descriptor> vertex_descriptors;
+  const Indexed_triangles triangles = collect_neighborhood(v, tmesh, number_of_rings, vpm, gt, vertex_descriptors,
+                                                           face_descriptors);
+  Principal_curvatures k;
+  if(!face_descriptors.empty())
+  {
+    const std::unique_ptr<Input_model> model =
+      read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack);
+    Node_curvature_fitter fitter(model->surface);
+    const Cut_mesh& cut_mesh = model->surface.cut_mesh();
+    for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
+      if(vertex_descriptors[cut_mesh.vertex(i)] == v)
+        keep_larger(k, fitter(i).principal_curvatures());
+  }
+  const auto result = to_public(k, gt);
+  assign(get_parameter(pack, internal_np::mean_curvature), result.mean_curvature());
+  assign(get_parameter(pack, internal_np::gaussian_curvature), result.gaussian_curvature());
+  assign(get_parameter(pack, internal_np::principal_curvatures), result);
+}
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CURVATURES_H

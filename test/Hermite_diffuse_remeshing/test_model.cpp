@@ -1,0 +1,474 @@
+// The Hermite diffuse model against surfaces that are known: accuracy, orders of convergence,
+// continuity, invariance, features, projection.
+
+#include "model_measures.h"
+
+#include <cassert>
+#include <cmath>
+#include <iostream>
+
+using namespace measures;
+using analytic::Test_surface;
+
+// largest and smallest figures that are accepted, mean of three seeds at about 5000 faces
+struct Bounds
+{
+  Test_surface surface;
+  double curvature_median, curvature_p95, position, closer_than_flat, closer_than_pn, normal;
+};
+
+std::vector<Bounds> all_bounds()
+{
+  const std::vector<Test_surface> s = analytic::all_test_surfaces();
+  return {{s[0], 0.0045, 0.008, 3.5e-5, 390, 130, 0.006},
+          {s[1], 0.023, 0.04, 3.0e-4, 74, 27, 0.065},
+          {s[2], 0.0075, 0.033, 1.05e-4, 105, 35, 0.034},
+          {s[3], 0.003, 0.005, 1.3e-5, 570, 215, 0.003},
+          {s[4], 0.003, 0.006, 1.7e-5, 490, 185, 0.0035},
+          {s[5], 0.0055, 0.013, 4.7e-5, 220, 83, 0.0125},
+          {s[6], 0.004, 0.0115, 4.5e-5, 150, 57, 0.0085},
+          {s[7], 0.016, 0.07, 6.2e-4, 36, 14, 0.11},
+          {s[8], 0.002, 0.09, 2.2e-3, 27, 11, 0.15},
+          {s[9], 0.021, 0.1, 3.4e-4, 47, 18, 0.085},
+          {s[10], 6e-4, 1e-3, 2.2e-7, 3480, 1330, 4e-4}};
+}
+
+bool is_at_most(const std::string& what, const double value, const double bound)
+{
+  if(!(value <= bound))
+    std::cerr << what << ": " << value << " exceeds " << bound << std::endl;
+  return value <= bound;
+}
+
+bool is_at_least(const std::string& what, const double value, const double bound)
+{
+  if(!(value >= bound))
+    std::cerr << what << ": " << value << " is below " << bound << std::endl;
+  return value >= bound;
+}
+
+void test_accuracy()
+{
+  constexpr int number_of_seeds = 3;
+  bool ok = true;
+  for(const Bounds& b : all_bounds())
+  {
+    Accuracy sum;
+    double worst_median = 0., worst_border_position = 0.;
+    for(int seed = 1; seed <= number_of_seeds; ++seed)
+    {
+      const Accuracy a = measure(*make_model(indexed(b.surface.mesh(5000, seed))), b.surface);
+      sum.curvature_median += a.curvature_median / number_of_seeds;
+      sum.curvature_p95 += a.curvature_p95 / number_of_seeds;
+      sum.position += a.position / number_of_seeds;
+      sum.flat += a.flat / a.position / number_of_seeds;
+      sum.pn_area += a.pn_area / a.position / number_of_seeds;
+      sum.normal += a.normal / number_of_seeds;
+      worst_median = (std::max)(worst_median, a.curvature_median);
+      worst_border_position = (std::max)(worst_border_position, a.border_position);
+    }
+    const std::string& n = b.surface.name;
+    ok = is_at_most(n + ", curvature, median", sum.curvature_median, b.curvature_median) && ok;
+    ok = is_at_most(n + ", curvature, 95 %", sum.curvature_p95, b.curvature_p95) && ok;
+    ok = is_at_most(n + ", position", sum.position, b.position) && ok;
+    ok = is_at_least(n + ", closer than flat", sum.flat, b.closer_than_flat) && ok;
+    ok = is_at_least(n + ", closer than PN", sum.pn_area, b.closer_than_pn) && ok;
+    ok = is_at_most(n + ", normal", sum.normal, b.normal) && ok;
+    ok = is_at_most(n + ", worst seed", worst_median, 1.05 * sum.curvature_median) && ok;
+  }
+  assert(ok);
+}
+
+void test_orders()
+{
+  const std::vector<Test_surface> s = analytic::all_test_surfaces();
+  bool ok = true;
+  for(const int i : {0, 1, 2, 4, 5, 7})
+  {
+    Accuracy a[2];
+    const int sizes[2] = {8000, 32000};
+    for(int k = 0; k < 2; ++k)
+      a[k] = measure(*make_model(indexed(s[i].mesh(sizes[k], 1))), s[i]);
+    const double ratio = std::log(a[0].h / a[1].h);
+    // positions are measured relative to h: one order is added
+    ok = is_at_least(s[i].name + ", order of position", 1. + std::log(a[0].position / a[1].position) / ratio, 3.5) && ok;
+    ok = is_at_least(s[i].name + ", order of curvature",
+                     std::log(a[0].curvature_median / a[1].curvature_median) / ratio, 1.85) && ok;
+  }
+  assert(ok);
+}
+
+// The fit at a location of a model with the ridge that the reference values were made with: 1e-9
+// times the number of nodes, at most times the largest weight, on every coefficient of order two
+// and more. The model's own ridge does not count nodes.
+template <int Degree>
+Local_quadric bare_fit(const Reference_surface& surface, const Location& location)
+{
+  Local_quadric result = surface.evaluate(location);
+  Node_weights weights;
+  std::vector<Node> nodes;
+  for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i)
+    nodes.push_back(surface.node(i));
+  collect_node_weights(surface.cut_mesh(), nodes, location, weights);
+  const double t = surface.options().hermite_weight;
+  Local_polynomial<Degree> polynomial;
+  double largest = 0.;
+  for(const Node_weight& w : weights)
+  {
+    const double omega = interpolating_weight(w.weight, 2);
+    largest = (std::max)(largest, omega);
+    const Vector d = (nodes[w.node].position - result.origin) / result.size, n = nodes[w.node].normal;
+    const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), nz = n.dot(result.z_axis);
+    polynomial.add_position(x, y, d.dot(result.z_axis), (1. - t) * omega);
+    polynomial.add_slopes(x, y, -n.dot(result.x_axis) / nz, -n.dot(result.y_axis) / nz, t * omega);
+  }
+  for(int i = 3; i < Local_polynomial<Degree>::size; ++i)
+  {
+    std::array<double, Local_polynomial<Degree>::size> row = {};
+    row[i] = 1.;
+    polynomial.add_equation(row, 0., 1e-9 * weights.size() * (std::min)(1., largest));
+  }
+  assert(polynomial.solve() > 0.);
+  for(int i = 0; i < 6; ++i)
+    result.a[i] = polynomial[i];
+  return result;
+}
+
+// reference values: six nodes of the unit sphere with exact normals
+void test_reference_values()
+{
+  Indexed_triangles triangles;
+  const double xy[6][2] = {{0., 0.}, {.2, 0.}, {.1, .17}, {.3, .17}, {-.1, .17}, {.1, -.17}};
+  for(const auto& p : xy)
+    triangles.points.push_back(Vector(p[0], p[1], std::sqrt(1. - p[0] * p[0] - p[1] * p[1])));
+  triangles.triangles = {{{0, 1, 2}}, {{1, 3, 2}}, {{0, 2, 4}}, {{1, 0, 5}}};
+
+  const double third = 1. / 3.;
+  struct Case { int degree; Barycentric at; double size; Vector point, normal; double maximum, minimum; };
+  const Case cases[] = {
+    {2, {{third, third, third}}, 0.199360714583, {0.100670065502, 0.057046370451, 0.993329312941},
+     {0.100673078632, 0.057049872508, 0.993282559640}, -1.011091533, -1.011483316},
+    {2, {{.5, .3, .2}}, 0.199213107622, {0.080500309380, 0.034212631486, 0.996201576965},
+     {0.080609500548, 0.034302117512, 0.996155345895}, -1.009064073, -1.013566841},
+    {3, {{third, third, third}}, 0.199360714583, {0.100669836762, 0.057046240832, 0.993327055923},
+     {0.100645956955, 0.057008787259, 0.993287667055}, -1.012467197, -1.012673861},
+    {3, {{.5, .3, .2}}, 0.199213107622, {0.080500602307, 0.034212755980, 0.996205201973},
+     {0.080289135159, 0.033908096280, 0.996194707767}, -1.008365969, -1.014670399},
+    {3, {{1., 0., 0.}}, 0.198909408505, {0., 0., 1.}, {0., 0., 1.}, -0.981993597, -1.016677918}};
+  bool ok = true;
+  for(const Case& c : cases)
+  {
+    Model_options options;
+    options.degree = c.degree;
+    options.has_soft_degree = false;              // the values were made without
+    const auto model = make_model(triangles, options, 180., triangles.points);     // normal = position
+    const Reference_surface& surface = model->surface;
+    const Location at = {0, c.at};
+    const auto check = [&](const std::string& what, const Local_quadric& quadric, const double tolerance)
+    {
+      const std::pair<double, double> k = quadric.monge_form().curvatures();
+      ok = is_at_most(what + ", size", std::abs(quadric.size - c.size), 1e-9) && ok;
+      ok = is_at_most(what + ", point", (quadric.point() - c.point).norm(), 1e-9) && ok;
+      ok = is_at_most(what + ", normal", (quadric.normal() - c.normal).norm(), 1e-9) && ok;
+      ok = is_at_most(what + ", maximum", std::abs(k.first - c.maximum), tolerance) && ok;
+      ok = is_at_most(what + ", minimum", std::abs(k.second - c.minimum), tolerance) && ok;
+    };
+    check("reference value", c.degree == 2 ? bare_fit<2>(surface, at) : bare_fit<3>(surface, at), 1e-9);
+    // the other ridge of 1e-9 is a relative change of that order of the second derivatives
+    check("reference value by the model", surface.evaluate(at), 1e-8);
+  }
+  assert(ok);
+}
+
+// in one fixed frame a polynomial of the degree of the fit is reproduced
+template <int Degree>
+void test_reproduction()
+{
+  typedef Local_polynomial<Degree> Polynomial;
+  std::array<double, Polynomial::size> exact;
+  analytic::Random random(Degree);
+  for(double& c : exact)
+    c = random(-1., 1.);
+  Polynomial polynomial;
+  for(int n = 0; n < 4 * Polynomial::size; ++n)
+  {
+    const double x = random(-1., 1.), y = random(-1., 1.);
+    double f = 0., fx = 0., fy = 0.;
+    for(int order = 0, i = 0; order <= Degree; ++order)
+      for(int j = 0; j <= order; ++j, ++i)
+      {
+        const auto power = [](const double base, const int e) { return e < 0 ? 0. : std::pow(base, e); };
+        f += exact[i] * power(x, order - j) * power(y, j);
+        fx += exact[i] * (order - j) * power(x, order - j - 1) * power(y, j);
+        fy += exact[i] * j * power(x, order - j) * power(y, j - 1);
+      }
+    polynomial.add_position(x, y, f, random(0.1, 1.));
+    polynomial.add_slopes(x, y, fx, fy, random(0.1, 1.));
+  }
+  assert(polynomial.solve() > 0.);
+  for(int i = 0; i < Polynomial::size; ++i)
+    assert(std::abs(polynomial[i] - exact[i]) < 1e-12);
+}
+
+void test_continuity()
+{
+  const std::vector<Test_surface> s = analytic::all_test_surfaces();
+  bool ok = true;
+  for(const int i : {1, 5, 7})
+    for(const int degree : {2, 3, 4})
+    {
+      Model_options options;
+      options.degree = degree;
+      const auto model = make_model(indexed(s[i].mesh(2000, 1)), options);
+      const Cut_mesh& cut_mesh = model->surface.cut_mesh();
+      const Indexed_triangles& triangles = model->surface.triangles();
+      analytic::Random random(1);
+      double jump = 0., turn = 0.;
+      for(int f = 0; f < triangles.number_of_faces(); ++f)
+        for(int k = 0; k < 3; ++k)
+        {
+          const int g = cut_mesh.neighbor(f, k);
+          if(g < f)
+            continue;
+          const double u = random(0., 1.);
+          Location a = {f, {{0., 0., 0.}}}, b = {g, {{0., 0., 0.}}};
+          a.coordinates[k] = 1. - u;
+          a.coordinates[next(k)] = u;
+          for(int j = 0; j < 3; ++j)
+            for(const int l : {k, next(k)})
+              if(triangles.triangles[g][j] == triangles.triangles[f][l])
+                b.coordinates[j] = a.coordinates[l];
+          const Local_quadric p = model->surface.evaluate(a), q = model->surface.evaluate(b);
+          jump = (std::max)(jump, (p.point() - q.point()).norm() / p.size);
+          turn = (std::max)(turn, angle_between(p.normal(), q.normal()));
+        }
+      // both faces of an edge compute the same: not a rounding of difference
+      ok = is_at_most(s[i].name + ", jump", jump, 0.) && ok;
+      ok = is_at_most(s[i].name + ", turn", turn, 1e-15) && ok;
+    }
+  assert(ok);
+}
+
+void test_interpolation()
+{
+  bool ok = true;
+  for(const Test_surface& s : analytic::all_test_surfaces())
+  {
+    const auto model = make_model(indexed(s.mesh(5000, 1)));
+    double gap = 0., turn = 0.;
+    for(int i = 0; i < model->surface.cut_mesh().number_of_nodes(); ++i)
+    {
+      const Local_quadric q = model->surface.evaluate(model->surface.location_of_node(i));
+      gap = (std::max)(gap, (q.point() - model->surface.node(i).position).norm() / q.size);
+      turn = (std::max)(turn, angle_between(q.normal(), model->surface.node(i).normal));
+    }
+    ok = is_at_most(s.name + ", gap at a node", gap, 1e-8) && ok;
+    ok = is_at_most(s.name + ", turn at a node", turn, 1e-8) && ok;
+  }
+  assert(ok);
+}
+
+// results follow a similarity of the input
+void test_invariance()
+{
+  const Test_surface s = analytic::torus();
+  const Indexed_triangles triangles = indexed(s.mesh(2000, 1));
+  const auto model = make_model(triangles);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector(0.48, -0.6, 0.64)).toRotationMatrix();
+  bool ok = true;
+  struct Case { double scale; Eigen::Matrix3d rotation; Vector shift; double tolerance; };
+  const Vector none = Vector::Zero();
+  // a shift costs the digits of the coordinates that it uses up
+  const Case cases[] = {{1000., Eigen::Matrix3d::Identity(), none, 1e-12}, {1e-6, Eigen::Matrix3d::Identity(), none, 1e-12},
+                        {1., turn, none, 1e-11}, {1., Eigen::Matrix3d::Identity(), Vector(10., -20., 5.), 1e-10}};
+  for(const Case& c : cases)
+  {
+    Indexed_triangles moved = triangles;
+    for(Vector& p : moved.points)
+      p = c.scale * (c.rotation * p) + c.shift;
+    const auto other = make_model(moved);
+    double gap = 0., bend = 0.;
+    analytic::Random random(1);
+    for(int f = 0; f < triangles.number_of_faces(); ++f)
+    {
+      const double u = random(0., 1.), v = random(0., 1.) * (1. - u);
+      const Location at = {f, {{1. - u - v, u, v}}};
+      const Local_quadric p = model->surface.evaluate(at), q = other->surface.evaluate(at);
+      gap = (std::max)(gap, (c.scale * (c.rotation * p.point()) + c.shift - q.point()).norm() / q.size);
+      const std::pair<double, double> k = p.monge_form().curvatures(), l = q.monge_form().curvatures();
+      bend = (std::max)(bend, std::abs(k.second - l.second * c.scale) / s.largest_curvature);
+    }
+    ok = is_at_most("invariance, point", gap, c.tolerance) && ok;
+    ok = is_at_most("invariance, curvature", bend, 100. * c.tolerance) && ok;
+  }
+  assert(ok);
+}
+
+// The paper's form must behave as it did when it was measured on its own: within 20 %. Curvature at
+// vertices is that of the quadratic solved there, not that of one of the faces.
+void test_form_of_paper()
+{
+  struct Case { Test_surface surface; int faces; double median, p95; };
+  const Case cases[] = {{analytic::torus(), 2000, 0.130, 0.44}, {analytic::torus(), 8000, 0.150, 0.46},
+                        {analytic::torus(), 32000, 0.152, 0.47}, {analytic::sin_cos(), 2000, 0.183, 0.47},
+                        {analytic::sin_cos(), 8000, 0.187, 0.50}, {analytic::cone(), 8000, 0.138, 0.47},
+                        {analytic::cylinder(), 8000, 0.134, 0.47}, {analytic::torus(6.), 8000, 0.280, 0.95}};
+  bool ok = true;
+  const auto is_near = [&](const std::string& what, const double value, const double expected)
+  {
+    ok = is_at_most(what, value, 1.2 * expected) && ok;
+    ok = is_at_least(what, value, expected / 1.2) && ok;
+  };
+  Model_options options;
+  options.degree = 2;
+  options.exponent = 1;
+  options.hermite_weight = 0.5;
+  options.normals = AREA_NORMALS;
+  for(const Case& c : cases)
+  {
+    const Accuracy a = measure(*make_model(indexed(c.surface.mesh(c.faces, 1)), options), c.surface);
+    is_near("paper, " + c.surface.name + ", median", a.curvature_median, c.median);
+    is_near("paper, " + c.surface.name + ", 95 %", a.curvature_p95, c.p95);
+  }
+
+  // one polynomial per face: position, how many times closer than the facets, normal in degrees
+  options.is_solved_at_centroids = true;
+  struct Row { Test_surface surface; double position, closer_than_flat, normal; };
+  for(const Row& r : {Row{analytic::torus(), 4.4e-3, 3.8, 0.60}, Row{analytic::sin_cos(), 2.5e-3, 3.3, 0.39}})
+  {
+    const Accuracy a = measure(*make_model(indexed(r.surface.mesh(8000, 1)), options), r.surface);
+    is_near("paper, " + r.surface.name + ", position", a.position, r.position);
+    is_near("paper, " + r.surface.name + ", closer than flat", a.flat / a.position, r.closer_than_flat);
+    is_near("paper, " + r.surface.name + ", normal", a.normal, r.normal);
+  }
+  assert(ok);
+}
+
+// a square of irregular faces in a plane
+void test_plane()
+{
+  const Test_surface plane = analytic::graph("plane", 1., 1., 1., [](const double x, const double y)
+  { return analytic::detail::Jet{{0.3 * x - 0.2 * y + 0.1, 0.3, -0.2, 0., 0., 0.}}; });
+  const auto model = make_model(indexed(plane.mesh(1000, 1)));
+  for(int f = 0; f < model->surface.triangles().number_of_faces(); ++f)
+  {
+    const Local_quadric q = model->surface.evaluate({f, {{0.2, 0.3, 0.5}}});
+    assert((q.point() - q.origin).norm() < 1e-14);
+    assert(q.monge_form().principal_curvatures().largest_absolute() < 1e-10);
+    assert(angle_between(q.normal(), Vector(-0.3, 0.2, 1.)) < 1e-12);
+  }
+}
+
+// a closed cylinder of radius 1 from z = 0 to z = height with sharp rims
+Indexed_triangles capped_cylinder(const int sides, const int rows, const double height)
+{
+  Indexed_triangles t;
+  for(int j = 0; j <= rows; ++j)
+    for(int i = 0; i < sides; ++i)
+    {
+      const double a = 2. * analytic::pi * i / sides;
+      t.points.push_back(Vector(std::cos(a), std::sin(a), height * j / rows));
+    }
+  const auto at = [&](const int i, const int j) { return j * sides + i % sides; };
+  for(int j = 0; j < rows; ++j)
+    for(int i = 0; i < sides; ++i)
+    {
+      t.triangles.push_back({{at(i, j), at(i + 1, j), at(i + 1, j + 1)}});
+      t.triangles.push_back({{at(i, j), at(i + 1, j + 1), at(i, j + 1)}});
+    }
+  for(const int j : {0, rows})
+  {
+    const int center = t.number_of_vertices();
+    t.points.push_back(Vector(0., 0., height * j / rows));
+    for(int i = 0; i < sides; ++i)
+      if(j == 0)
+        t.triangles.push_back({{center, at(i + 1, j), at(i, j)}});
+      else
+        t.triangles.push_back({{center, at(i, j), at(i + 1, j)}});
+  }
+  return t;
+}
+
+// rms distance to the side of faces that touch a rim, rms and largest distance to the caps
+void measure_capped_cylinder(const Indexed_triangles& t, const double height, double& rim, double& cap)
+{
+  const auto model = make_model(t, Model_options(), 45.);
+  Root_mean_square rims, caps;
+  analytic::Random random(1);
+  for(int f = 0; f < t.number_of_faces(); ++f)
+    for(int n = 0; n < 10; ++n)
+    {
+      const double r = std::sqrt(random(0., 1.)), s = random(0., 1.);
+      const Vector p = model->surface.evaluate({f, {{1. - r, r * (1. - s), r * s}}}).point();
+      bool is_cap = true, is_at_rim = false;
+      for(int k = 0; k < 3; ++k)
+      {
+        const double z = t.point(f, k)[2];
+        is_cap = is_cap && z == t.point(f, 0)[2];
+        is_at_rim = is_at_rim || z == 0. || z == height;
+      }
+      if(is_cap)
+        caps.add(p[2] - t.point(f, 0)[2]);
+      else if(is_at_rim)
+        rims.add(std::hypot(p[0], p[1]) - 1.);
+    }
+  rim = rims();
+  cap = caps.largest;
+}
+
+void test_sharp_edges()
+{
+  double rim, cap;
+  measure_capped_cylinder(capped_cylinder(48, 16, 2.), 2., rim, cap);
+  assert(is_at_most("capped cylinder, rim", rim, 5e-5));
+  assert(cap == 0.);
+  measure_capped_cylinder(capped_cylinder(64, 1, 2.), 2., rim, cap);
+  assert(is_at_most("cylinder of one row", rim, 3e-6));
+  assert(cap == 0.);
+}
+
+void test_projection()
+{
+  bool ok = true;
+  for(const Test_surface& s : {analytic::torus(), analytic::ellipsoid()})
+  {
+    const auto model = make_model(indexed(s.mesh(5000, 1)));
+    const double h = mean_edge_length(model->surface.triangles());
+    analytic::Random random(1);
+    Root_mean_square error;
+    double residual = 0.;
+    for(int n = 0; n < 2000; ++n)
+    {
+      const int f = int(random(0., model->surface.triangles().number_of_faces()));
+      const double u = random(0., 1.), v = random(0., 1.) * (1. - u), offset = random(-0.5, 0.5);
+      const Local_quadric q = model->surface.evaluate({f, {{1. - u - v, u, v}}});
+      const Vector p = q.point() + offset * h * q.normal();
+      const auto found = model->locator.project(p, model->locator.closest(p).face);
+      const Vector r = p - found.quadric.point(), m = found.quadric.normal();
+      residual = (std::max)(residual, (r - r.dot(m) * m).norm() / found.quadric.size);
+      error.add((found.quadric.point() - vector(s.truth(point(p)).point)).norm() / h);
+      assert(std::abs(found.distance - std::abs(offset) * h) < 1e-4 * h + 1e-3 * std::abs(offset) * h);
+    }
+    ok = is_at_most(s.name + ", tangential residual", residual, 1e-6) && ok;
+    ok = is_at_most(s.name + ", foot point", error(), 2e-3) && ok;
+  }
+  assert(ok);
+}
+
+int main()
+{
+  test_reference_values();
+  test_reproduction<2>();
+  test_reproduction<3>();
+  test_reproduction<4>();
+  test_plane();
+  test_interpolation();
+  test_continuity();
+  test_invariance();
+  test_sharp_edges();
+  test_projection();
+  test_form_of_paper();
+  test_accuracy();
+  test_orders();
+  return 0;
+}
