@@ -5,10 +5,12 @@
 #include "report_output.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
 #include <CGAL/Hermite_diffuse_surface.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/optional.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -41,7 +43,9 @@ namespace po = boost::program_options;
 struct Options
 {
   std::string input, output, report, fields;
-  double approximation_error = 0.01;
+  // the laws of the size: 0.01 of the first if none is given
+  boost::optional<double> approximation_error, elements_per_circle, angle_per_element, sagitta_over_length;
+  double sagitta = std::numeric_limits<double>::infinity();
   double maximum_deviation = std::numeric_limits<double>::infinity();
   double minimum_edge_length = 0.;
   double maximum_edge_length = 0.;
@@ -60,12 +64,23 @@ po::typed_value<T>* number(T& value, const char* unit)
   return po::value<T>(&value)->value_name(unit);
 }
 
+template <typename T>
+po::typed_value<boost::optional<T> >* number(boost::optional<T>& value, const char* unit)
+{
+  return po::value<boost::optional<T> >(&value)->value_name(unit);
+}
+
 po::options_description visible_options(Options& o)
 {
   po::options_description options("Options (lengths in the unit of the input)", 96, 48);
   options.add_options()
     ("approximation-error", number(o.approximation_error, "E"),
-     "error relative to the local radius of curvature (0.01)")
+     "error relative to the local radius of curvature (0.01); of this and the next four the smallest size"
+     " counts")
+    ("elements-per-circle", number(o.elements_per_circle, "N"), "edges on a full circle")
+    ("angle-per-element", number(o.angle_per_element, "DEG"), "angle that an edge spans on its circle")
+    ("sagitta-over-length", number(o.sagitta_over_length, "S"), "distance of an edge to its arc over its length")
+    ("sagitta", number(o.sagitta, "L"), "distance of an edge to its arc")
     ("maximum-deviation", number(o.maximum_deviation, "D"),
      "largest distance to the model of the input (no bound)")
     ("minimum-edge-length", number(o.minimum_edge_length, "L"),
@@ -189,6 +204,24 @@ std::vector<vtp::Data_array> curvature_data(const Mesh& reference, const Options
   return data;
 }
 
+// all laws but the sagitta are spellings of the relative error
+double approximation_error(const Options& o)
+{
+  namespace HDR = CGAL::Hermite_diffuse_remeshing;
+  double ratio = std::numeric_limits<double>::infinity();
+  if(o.elements_per_circle)
+    ratio = (std::min)(ratio, HDR::length_over_radius_of_elements_per_circle(*o.elements_per_circle));
+  if(o.angle_per_element)
+    ratio = (std::min)(ratio, HDR::length_over_radius_of_angle(*o.angle_per_element));
+  if(o.sagitta_over_length)
+    ratio = (std::min)(ratio, HDR::length_over_radius_of_sagitta_over_length(*o.sagitta_over_length));
+  if(ratio == std::numeric_limits<double>::infinity())
+    return o.approximation_error.value_or(std::isfinite(o.sagitta) ? 0. : 0.01);
+  const double error = HDR::error_of_length_over_radius(ratio);
+  // 0 turns this law off, negative values are refused later
+  return o.approximation_error && *o.approximation_error != 0. ? (std::min)(error, *o.approximation_error) : error;
+}
+
 Result remesh(Mesh& mesh, const Options& o)
 {
   auto location_map = mesh.add_property_map<vertex_descriptor, Location>("v:location").first;
@@ -201,7 +234,8 @@ Result remesh(Mesh& mesh, const Options& o)
     Progress_line<Mesh> progress(std::cerr, !o.is_quiet && is_terminal());
     result.report = PMP::hermite_diffuse_remesh(mesh,
       model_parameters(o)
-        .approximation_error(o.approximation_error)
+        .approximation_error(approximation_error(o))
+        .sagitta(o.sagitta)
         .maximum_deviation(o.maximum_deviation)
         .minimum_edge_length(o.minimum_edge_length)
         .maximum_edge_length(o.maximum_edge_length)

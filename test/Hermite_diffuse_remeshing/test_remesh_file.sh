@@ -98,6 +98,10 @@ bad_option)
   refused_with gradation cup.off out.off --gradation 0.5
   refused_with gradation cup.off out.off --gradation nan
   refused_with approximation_error cup.off out.off --approximation-error -0.1
+  refused_with elements cup.off out.off --elements-per-circle 1
+  refused_with angle cup.off out.off --angle-per-element nan
+  refused_with sagitta cup.off out.off --sagitta-over-length 0.6
+  refused_with sagitta cup.off out.off --sagitta -1
   refused_with maximum_deviation cup.off out.off --maximum-deviation -1
   refused_with minimum_edge_length cup.off out.off --minimum-edge-length nan
   refused_with maximum_edge_length cup.off out.off --maximum-edge-length -2
@@ -109,6 +113,7 @@ bad_option)
   refused_with out.off cup.off out.off --report out.off
   "$remesh_file" --help > log 2> errors || fail "--help"
   for option in approximation-error maximum-deviation minimum-edge-length maximum-edge-length \
+                elements-per-circle angle-per-element sagitta-over-length sagitta \
                 gradation sharp-angle corner-angle iterations report fields quiet; do
     grep -q -e "--$option" log || fail "--help does not name --$option"
   done

@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <CGAL/Real_timer.h>
@@ -130,6 +131,28 @@ namespace Polygon_mesh_processing {
  *       0.01 means 26 edges on a circle. With 0 the curvature is not looked at.}
  *     \cgalParamType{`double`, a pure number, at least 0}
  *     \cgalParamDefault{`0.01`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sagitta}
+ *     \cgalParamDescription{largest distance between an edge and its arc. This and the next three say the same
+ *       as `approximation_error` in other words, see \ref PkgHermiteDiffuseRemeshingSizeLaws. Each replaces the
+ *       default of `approximation_error`; of several that are given the smallest size counts.}
+ *     \cgalParamType{`double`, a length, larger than 0}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{elements_per_circle}
+ *     \cgalParamDescription{number of edges on a full circle with the radius of curvature}
+ *     \cgalParamType{`double`, at least 2}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{angle_per_element}
+ *     \cgalParamDescription{angle that an edge spans at the centre of curvature}
+ *     \cgalParamType{`double`, degrees in (0, 180]}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sagitta_over_length}
+ *     \cgalParamDescription{distance between an edge and its arc divided by the length of the edge}
+ *     \cgalParamType{`double`, a ratio in (0, 0.5]}
+ *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_deviation}
  *     \cgalParamDescription{largest distance between the result and the fitted surface, measured at vertices,
@@ -328,9 +351,6 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   // everything is read and checked before the first change
   const Feature_options feature_options = read_feature_options(pack);
   const Model_options model_options = read_model_options(pack);
-  const double maximum_deviation = choose_parameter(get_parameter(pack, internal_np::maximum_deviation),
-                                                    std::numeric_limits<double>::infinity());
-  check_positive_parameter("maximum_deviation", maximum_deviation);
   const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
   check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
   const std::size_t maximum_number_of_faces =
@@ -339,8 +359,8 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
 
   std::vector<face_descriptor> face_descriptors;
   const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
-  Size_options size_options = read_size_options(pack, gt, model_diameter(triangles));
-  size_options.maximum_deviation = maximum_deviation;
+  const Size_options size_options = read_size_options(pack, gt, model_diameter(triangles), face_descriptors);
+  const double maximum_deviation = size_options.maximum_deviation;
 
   Remeshing_report<TriangleMesh> report;
   report.number_of_input_faces = face_descriptors.size();
