@@ -6,6 +6,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
+#include <CGAL/Hermite_diffuse_size_map.h>
 #include <CGAL/Hermite_diffuse_surface.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Surface_mesh.h>
@@ -53,6 +54,8 @@ struct Options
   double sharp_angle = 40.;
   double corner_angle = 60.;
   int iterations = 10;
+  std::size_t maximum_number_of_faces = std::size_t((std::numeric_limits<int>::max)());
+  bool is_prediction = false;
   bool is_quiet = false;
   bool is_help_wanted = false;
 };
@@ -93,6 +96,10 @@ po::options_description visible_options(Options& o)
      "edges with a larger angle between normals are features (40)")
     ("corner-angle", number(o.corner_angle, "DEG"),
      "feature curves that turn more have a corner (60)")
+    ("maximum-number-of-faces", number(o.maximum_number_of_faces, "N"),
+     "scale the sizes to meet this (no limit)")
+    ("predict", po::bool_switch(&o.is_prediction),
+     "print the number of faces to expect, and write nothing")
     ("iterations", number(o.iterations, "N"), "largest number of passes (10)")
     ("report", po::value<std::string>(&o.report)->value_name("FILE.json"), "write a report")
     ("fields", po::value<std::string>(&o.fields)->value_name("FILE.vtp"),
@@ -106,7 +113,8 @@ std::string help_text()
 {
   Options defaults;
   std::ostringstream text;
-  text << "Usage: remesh_file INPUT OUTPUT [options]\n\n"
+  text << "Usage: remesh_file INPUT OUTPUT [options]\n"
+       << "       remesh_file INPUT --predict [options]\n\n"
        << "Remeshes a triangle mesh with sizes that follow its curvature. The extensions of the\n"
        << "files choose their formats: .off, .obj, .ply, .stl or .vtp.\n\n"
        << visible_options(defaults);
@@ -136,6 +144,14 @@ Options parse(int argc, char* argv[])
 
 void check(const Options& o)
 {
+  if(o.is_prediction)
+  {
+    if(o.input.empty())
+      throw std::runtime_error("an input file is needed; --help explains it");
+    if(!o.output.empty() || !o.report.empty() || !o.fields.empty())
+      throw std::runtime_error("--predict writes nothing: no output can be named");
+    return;
+  }
   if(o.input.empty() || o.output.empty())
     throw std::runtime_error("an input and an output file are needed; --help explains them");
   if(o.iterations < 0)
@@ -222,6 +238,18 @@ double approximation_error(const Options& o)
   return o.approximation_error && *o.approximation_error != 0. ? (std::min)(error, *o.approximation_error) : error;
 }
 
+auto size_parameters(const Options& o)
+{
+  return model_parameters(o)
+    .approximation_error(approximation_error(o))
+    .sagitta(o.sagitta)
+    .maximum_deviation(o.maximum_deviation)
+    .minimum_edge_length(o.minimum_edge_length)
+    .maximum_edge_length(o.maximum_edge_length)
+    .gradation(o.gradation)
+    .maximum_number_of_faces(o.maximum_number_of_faces);
+}
+
 Result remesh(Mesh& mesh, const Options& o)
 {
   auto location_map = mesh.add_property_map<vertex_descriptor, Location>("v:location").first;
@@ -233,13 +261,7 @@ Result remesh(Mesh& mesh, const Options& o)
   {
     Progress_line<Mesh> progress(std::cerr, !o.is_quiet && is_terminal());
     result.report = PMP::hermite_diffuse_remesh(mesh,
-      model_parameters(o)
-        .approximation_error(approximation_error(o))
-        .sagitta(o.sagitta)
-        .maximum_deviation(o.maximum_deviation)
-        .minimum_edge_length(o.minimum_edge_length)
-        .maximum_edge_length(o.maximum_edge_length)
-        .gradation(o.gradation)
+      size_parameters(o)
         .number_of_iterations(o.iterations)
         .vertex_location_map(location_map)
         .vertex_size_map(size_map)
@@ -313,6 +335,12 @@ int main(int argc, char* argv[])
     }
     check(options);
     Mesh mesh = read_mesh<Mesh>(options.input);
+    if(options.is_prediction)
+    {
+      const CGAL::Hermite_diffuse_size_map<Mesh> sizes(mesh, size_parameters(options));
+      std::cout << std::llround(sizes.predicted_number_of_faces()) << std::endl;
+      return 0;
+    }
     const Result result = remesh(mesh, options);
     write_files(result, options);
     if(!options.is_quiet)

@@ -31,7 +31,7 @@ public:
     int face;
     int split_side = -1;                  // -1: leaf
     int first_child = -1;                 // the children keep the start and the end of the split side
-    bool is_probed = false;               // the user's field has been looked at inside
+    bool is_probed = false;               // the user's field hides nothing inside
   };
 
 private:

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -60,6 +61,8 @@ class Size_map
 
   // a cell is fine enough when its longest side is this many sizes long
   static constexpr double sides_per_size = 2.;
+  // where the size that was asked for jumps, this many: the place of the jump moves by as much
+  static constexpr double sides_per_size_at_jump = 0.25;
   // or when the size in it differs by less than this from its linear interpolation
   static constexpr double size_tolerance = 0.25;
   // The user's field is probed at points this many sizes apart: a part of the field with smaller sizes
@@ -139,6 +142,27 @@ public:
     }
     return number;
   }
+
+  // Scales the sizes up until their number of faces is at most `limit`. The number falls with the square
+  // of the scale or, where the gradation rules, more slowly: the steps never lead below the limit.
+  template <typename IsSelected>
+  void limit_number_of_faces(const double limit, const IsSelected& is_selected)
+  {
+    // a number of faces that is this close is met
+    constexpr double tolerance = 0.002;
+    constexpr int maximum_number_of_steps = 100;
+    for(int step = 0; step < maximum_number_of_steps; ++step)
+    {
+      const double number = number_of_faces(is_selected);
+      if(!(number > (1. + tolerance) * limit))
+        return;
+      m_scale *= std::sqrt(number / limit);
+      grade();
+    }
+  }
+
+  // of the sizes that were asked for
+  double scale() const { return m_scale; }
 
 private:
   void sample_vertices(const Reference_surface& surface, const Feature_curves& curves)
@@ -285,10 +309,32 @@ private:
       if(at_middle < interpolated / (1. + size_tolerance) || at_middle > (1. + size_tolerance) * interpolated)
         return true;
     }
+    if(length > sides_per_size_at_jump * smallest && is_jump(cell))
+      return true;
     if(!m_sources.has_user_size() || cell.is_probed)
       return false;
+    if(has_smaller_user_size(cell, length, s))
+      return true;
     m_cells.set_probed(c);
-    return has_smaller_user_size(cell, length, s);
+    return false;
+  }
+
+  double asked_size(const int sample) const
+  {
+    return (std::min)(m_scale * m_samples[sample].own_size, m_samples[sample].cap);
+  }
+
+  // Do the sizes that were asked for differ more between two corners than the gradation allows?
+  bool is_jump(const Cell& cell) const
+  {
+    for(int k = 0; k < 3; ++k)
+    {
+      const double a = asked_size(cell.samples[k]), b = asked_size(cell.samples[next(k)]);
+      const double allowed = slope_of_gradation(m_sources.options().gradation) * side_length(cell, k);
+      if(std::abs(a - b) > (1. + size_tolerance) * allowed + size_tolerance * (std::min)(a, b))
+        return true;
+    }
+    return false;
   }
 
   // Is there a point in a cell where the user's size is smaller than the interpolation of the corners'?
@@ -321,7 +367,7 @@ private:
     m_is_sample_lowered = false;
     m_sizes.resize(m_samples.size());
     for(std::size_t i = 0; i < m_samples.size(); ++i)
-      m_sizes[i] = (std::min)(m_scale * m_samples[i].own_size, m_samples[i].cap);
+      m_sizes[i] = asked_size(static_cast<int>(i));
     if(m_sources.options().gradation == 1.)
     {
       // one size for all
