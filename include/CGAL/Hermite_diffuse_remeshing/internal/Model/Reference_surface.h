@@ -158,16 +158,15 @@ private:
     for(int k = 0; k < 3; ++k)
     {
       const Node& corner = node(location.face, k);
+      cubic_ridge += location.coordinates[k] * corner.cubic_ridge;
       if(corner.is_singular)
         continue;
       weight += location.coordinates[k];
       size += location.coordinates[k] * corner.size;
-      cubic_ridge += location.coordinates[k] * corner.cubic_ridge;
     }
     if(!(weight > 0.))
       return result;                    // at an apex: the vertex itself
     result.size = size / weight;
-    cubic_ridge /= weight;
 
     switch(m_options.degree)
     {
