@@ -203,7 +203,7 @@ void test_whole_surfaces()
                        Case{analytic::cylinder(), CYLINDER_SURFACE}, Case{analytic::cone(), CONE_SURFACE},
                        Case{analytic::torus(6.), TORUS_SURFACE}})
   {
-    Mesh mesh = make_mesh(c.surface.mesh(2000, 1));
+    Mesh mesh = make_mesh(c.surface.mesh(5000, 1));
     const Labels labels = classify(mesh);
     const double part = right_part(mesh, labels, [&](Mesh::Face_index) { return c.type; });
     if(part < 0.95)

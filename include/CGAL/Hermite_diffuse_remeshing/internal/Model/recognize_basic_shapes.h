@@ -50,12 +50,16 @@ public:
   void operator()()
   {
     const Basic_surface_type types[] = {PLANE_SURFACE, SPHERE_SURFACE, CYLINDER_SURFACE, CONE_SURFACE, TORUS_SURFACE};
+    // two rings determine a shape better, one may be all there is on a narrow fillet
     for(const Basic_surface_type type : types)
-      for(int f = 0; f < int(m_region.size()); ++f)
-        for(int k = 0; k < 3 && m_region[f] == -1; ++k)
-          for(const int rings : {2, 1})
-            if(m_region[f] == -1)
-              start(type, f, k, rings);
+      for(int i = 0; i < m_surface.cut_mesh().number_of_nodes(); ++i)
+        for(const int rings : {2, 1})
+          for(const int c : m_surface.cut_mesh().corners(i))
+            if(m_region[c / 3] == -1)
+            {
+              start(type, c / 3, i, rings);
+              break;
+            }
     for(int f = 0; f < int(m_region.size()); ++f)
       if(m_region[f] == -1)
         collect_rest(f);
@@ -87,9 +91,8 @@ private:
     return n == Vector::Zero() || std::abs(n.dot(normal)) >= least_cosine;
   }
 
-  void start(const Basic_surface_type type, const int f, const int corner, const int rings)
+  void start(const Basic_surface_type type, const int f, const int node, const int rings)
   {
-    const int node = m_surface.cut_mesh().node(f, corner);
     if(!m_surface.node(node).has_normal())
       return;
     m_neighborhood.collect(node, rings);
