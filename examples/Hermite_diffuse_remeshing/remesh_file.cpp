@@ -5,10 +5,13 @@
 #include "report_output.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
+#include <CGAL/Hermite_diffuse_size_map.h>
 #include <CGAL/Hermite_diffuse_surface.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/optional.hpp>
 #include <boost/program_options.hpp>
 
 #include <algorithm>
@@ -41,7 +44,9 @@ namespace po = boost::program_options;
 struct Options
 {
   std::string input, output, report, fields;
-  double approximation_error = 0.01;
+  // the laws of the size: 0.01 of the first if none is given
+  boost::optional<double> approximation_error, elements_per_circle, angle_per_element, sagitta_over_length;
+  double sagitta = std::numeric_limits<double>::infinity();
   double maximum_deviation = std::numeric_limits<double>::infinity();
   double minimum_edge_length = 0.;
   double maximum_edge_length = 0.;
@@ -49,6 +54,8 @@ struct Options
   double sharp_angle = 40.;
   double corner_angle = 60.;
   int iterations = 10;
+  std::size_t maximum_number_of_faces = std::size_t((std::numeric_limits<int>::max)());
+  bool is_prediction = false;
   bool is_quiet = false;
   bool is_help_wanted = false;
 };
@@ -60,12 +67,23 @@ po::typed_value<T>* number(T& value, const char* unit)
   return po::value<T>(&value)->value_name(unit);
 }
 
+template <typename T>
+po::typed_value<boost::optional<T> >* number(boost::optional<T>& value, const char* unit)
+{
+  return po::value<boost::optional<T> >(&value)->value_name(unit);
+}
+
 po::options_description visible_options(Options& o)
 {
   po::options_description options("Options (lengths in the unit of the input)", 96, 48);
   options.add_options()
     ("approximation-error", number(o.approximation_error, "E"),
-     "error relative to the local radius of curvature (0.01)")
+     "error relative to the local radius of curvature (0.01); of this and the next four the smallest size"
+     " counts")
+    ("elements-per-circle", number(o.elements_per_circle, "N"), "edges on a full circle")
+    ("angle-per-element", number(o.angle_per_element, "DEG"), "angle that an edge spans on its circle")
+    ("sagitta-over-length", number(o.sagitta_over_length, "S"), "distance of an edge to its arc over its length")
+    ("sagitta", number(o.sagitta, "L"), "distance of an edge to its arc")
     ("maximum-deviation", number(o.maximum_deviation, "D"),
      "largest distance to the model of the input (no bound)")
     ("minimum-edge-length", number(o.minimum_edge_length, "L"),
@@ -78,6 +96,10 @@ po::options_description visible_options(Options& o)
      "edges with a larger angle between normals are features (40)")
     ("corner-angle", number(o.corner_angle, "DEG"),
      "feature curves that turn more have a corner (60)")
+    ("maximum-number-of-faces", number(o.maximum_number_of_faces, "N"),
+     "scale the sizes to meet this (no limit)")
+    ("predict", po::bool_switch(&o.is_prediction),
+     "print the number of faces to expect, and write nothing")
     ("iterations", number(o.iterations, "N"), "largest number of passes (10)")
     ("report", po::value<std::string>(&o.report)->value_name("FILE.json"), "write a report")
     ("fields", po::value<std::string>(&o.fields)->value_name("FILE.vtp"),
@@ -91,7 +113,8 @@ std::string help_text()
 {
   Options defaults;
   std::ostringstream text;
-  text << "Usage: remesh_file INPUT OUTPUT [options]\n\n"
+  text << "Usage: remesh_file INPUT OUTPUT [options]\n"
+       << "       remesh_file INPUT --predict [options]\n\n"
        << "Remeshes a triangle mesh with sizes that follow its curvature. The extensions of the\n"
        << "files choose their formats: .off, .obj, .ply, .stl or .vtp.\n\n"
        << visible_options(defaults);
@@ -121,6 +144,14 @@ Options parse(int argc, char* argv[])
 
 void check(const Options& o)
 {
+  if(o.is_prediction)
+  {
+    if(o.input.empty())
+      throw std::runtime_error("an input file is needed; --help explains it");
+    if(!o.output.empty() || !o.report.empty() || !o.fields.empty())
+      throw std::runtime_error("--predict writes nothing: no output can be named");
+    return;
+  }
   if(o.input.empty() || o.output.empty())
     throw std::runtime_error("an input and an output file are needed; --help explains them");
   if(o.iterations < 0)
@@ -189,6 +220,36 @@ std::vector<vtp::Data_array> curvature_data(const Mesh& reference, const Options
   return data;
 }
 
+// all laws but the sagitta are spellings of the relative error
+double approximation_error(const Options& o)
+{
+  namespace HDR = CGAL::Hermite_diffuse_remeshing;
+  double ratio = std::numeric_limits<double>::infinity();
+  if(o.elements_per_circle)
+    ratio = (std::min)(ratio, HDR::length_over_radius_of_elements_per_circle(*o.elements_per_circle));
+  if(o.angle_per_element)
+    ratio = (std::min)(ratio, HDR::length_over_radius_of_angle(*o.angle_per_element));
+  if(o.sagitta_over_length)
+    ratio = (std::min)(ratio, HDR::length_over_radius_of_sagitta_over_length(*o.sagitta_over_length));
+  if(ratio == std::numeric_limits<double>::infinity())
+    return o.approximation_error.value_or(std::isfinite(o.sagitta) ? 0. : 0.01);
+  const double error = HDR::error_of_length_over_radius(ratio);
+  // 0 turns this law off, negative values are refused later
+  return o.approximation_error && *o.approximation_error != 0. ? (std::min)(error, *o.approximation_error) : error;
+}
+
+auto size_parameters(const Options& o)
+{
+  return model_parameters(o)
+    .approximation_error(approximation_error(o))
+    .sagitta(o.sagitta)
+    .maximum_deviation(o.maximum_deviation)
+    .minimum_edge_length(o.minimum_edge_length)
+    .maximum_edge_length(o.maximum_edge_length)
+    .gradation(o.gradation)
+    .maximum_number_of_faces(o.maximum_number_of_faces);
+}
+
 Result remesh(Mesh& mesh, const Options& o)
 {
   auto location_map = mesh.add_property_map<vertex_descriptor, Location>("v:location").first;
@@ -200,12 +261,7 @@ Result remesh(Mesh& mesh, const Options& o)
   {
     Progress_line<Mesh> progress(std::cerr, !o.is_quiet && is_terminal());
     result.report = PMP::hermite_diffuse_remesh(mesh,
-      model_parameters(o)
-        .approximation_error(o.approximation_error)
-        .maximum_deviation(o.maximum_deviation)
-        .minimum_edge_length(o.minimum_edge_length)
-        .maximum_edge_length(o.maximum_edge_length)
-        .gradation(o.gradation)
+      size_parameters(o)
         .number_of_iterations(o.iterations)
         .vertex_location_map(location_map)
         .vertex_size_map(size_map)
@@ -279,6 +335,12 @@ int main(int argc, char* argv[])
     }
     check(options);
     Mesh mesh = read_mesh<Mesh>(options.input);
+    if(options.is_prediction)
+    {
+      const CGAL::Hermite_diffuse_size_map<Mesh> sizes(mesh, size_parameters(options));
+      std::cout << std::llround(sizes.predicted_number_of_faces()) << std::endl;
+      return 0;
+    }
     const Result result = remesh(mesh, options);
     write_files(result, options);
     if(!options.is_quiet)

@@ -116,6 +116,8 @@ void write_json(std::ostream& os,
      << "  \"maximum_deviation_met\": " << (r.is_maximum_deviation_met ? "true" : "false") << ",\n"
      << "  \"faces_above_maximum_deviation\": " << r.faces_above_maximum_deviation.size() << ",\n"
      << "  \"size_conformity\": " << number(r.size_conformity) << ",\n"
+     << "  \"predicted_faces\": " << number(r.predicted_number_of_faces) << ",\n"
+     << "  \"size_scale\": " << number(r.size_scale) << ",\n"
      << "  \"corners\": " << r.number_of_corners << ",\n"
      << "  \"curves\": " << r.number_of_curves << ",\n"
      << "  \"feature_edges\": " << r.number_of_feature_edges << ",\n"
@@ -147,6 +149,7 @@ void print_table(std::ostream& os,
   os << std::setw(32) << "before" << std::setw(12) << "after" << "\n" << std::setprecision(8);
   row("faces", static_cast<double>(r.number_of_input_faces),
       static_cast<double>(r.number_of_faces));
+  os << "faces predicted     " << std::setw(24) << std::round(r.predicted_number_of_faces) << "\n";
   os << std::setprecision(4);
   row("smallest quality", r.smallest_input_quality, r.smallest_quality);
   row("mean quality", r.mean_input_quality, r.mean_quality);

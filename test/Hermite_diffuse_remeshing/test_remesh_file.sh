@@ -98,6 +98,14 @@ bad_option)
   refused_with gradation cup.off out.off --gradation 0.5
   refused_with gradation cup.off out.off --gradation nan
   refused_with approximation_error cup.off out.off --approximation-error -0.1
+  refused_with elements cup.off out.off --elements-per-circle 1
+  refused_with angle cup.off out.off --angle-per-element nan
+  refused_with sagitta cup.off out.off --sagitta-over-length 0.6
+  refused_with sagitta cup.off out.off --sagitta -1
+  refused_with writes cup.off out.off --predict
+  refused_with writes cup.off --predict --report out.json
+  refused --predict
+  refused_with maximum-number-of-faces cup.off out.off --maximum-number-of-faces many
   refused_with maximum_deviation cup.off out.off --maximum-deviation -1
   refused_with minimum_edge_length cup.off out.off --minimum-edge-length nan
   refused_with maximum_edge_length cup.off out.off --maximum-edge-length -2
@@ -109,7 +117,8 @@ bad_option)
   refused_with out.off cup.off out.off --report out.off
   "$remesh_file" --help > log 2> errors || fail "--help"
   for option in approximation-error maximum-deviation minimum-edge-length maximum-edge-length \
-                gradation sharp-angle corner-angle iterations report fields quiet; do
+                elements-per-circle angle-per-element sagitta-over-length sagitta \
+                maximum-number-of-faces predict gradation sharp-angle corner-angle iterations report fields quiet; do
     grep -q -e "--$option" log || fail "--help does not name --$option"
   done
   ;;
@@ -147,6 +156,21 @@ unusable_mesh)
   refused nan.obj out.off
   ;;
 
+prediction)
+  make_input cup.off
+  before=$(find . -type f | sort)
+  "$remesh_file" cup.off --predict --approximation-error 0.02 > log 2> errors || fail "--predict: $(cat errors)"
+  [ "$before" = "$(find . -type f ! -name errors | sort)" ] || fail "--predict wrote a file"
+  predicted=$(cat log)
+  "$remesh_file" cup.off out.off --approximation-error 0.02 --quiet || fail "remesh_file"
+  faces=$(awk 'NR == 2 { print $2 }' out.off)
+  [ $((5 * faces)) -ge $((4 * predicted)) ] && [ $((4 * faces)) -le $((5 * predicted)) ] \
+    || fail "predicted $predicted faces, got $faces"
+  "$remesh_file" cup.off out.off --approximation-error 0.02 --maximum-number-of-faces 1000 --quiet \
+    || fail "remesh_file --maximum-number-of-faces"
+  [ "$(awk 'NR == 2 { print $2 }' out.off)" -le 1000 ] || fail "more than 1000 faces"
+  ;;
+
 failing_write)
   make_input cup.off
   refused_with nowhere cup.off nowhere/out.off
@@ -163,7 +187,7 @@ json_report)
   run cup.off out.off --report out.json
   for key in input_faces input_quality_min input_quality_mean faces vertices quality_min \
              quality_mean deviation_max deviation_mean deviation_max_point maximum_deviation \
-             maximum_deviation_met faces_above_maximum_deviation size_conformity corners curves \
+             maximum_deviation_met faces_above_maximum_deviation size_conformity predicted_faces size_scale corners curves \
              feature_edges iterations stop_reason counts seconds stages; do
     [ "$(grep -c "\"$key\":" out.json)" -eq 1 ] || fail "the report has no key $key"
   done

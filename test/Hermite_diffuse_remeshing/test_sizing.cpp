@@ -1,5 +1,10 @@
 #include "test_helpers.h"
 
+#include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
+
+#include <limits>
+#include <stdexcept>
+
 using namespace HDR::internal;
 
 void test_error_law()
@@ -16,6 +21,76 @@ void test_error_law()
   // twenty-six edges on a circle at one percent
   const double angle = 2. * std::asin(length_of_error(0.01) / 2.);
   assert(std::abs(2. * analytic::pi / angle - 26.4) < 0.1);
+}
+
+// each law and its inverse, the table of the reference manual, and the limits
+void test_size_laws()
+{
+  for(double xi = 1e-6; xi < 2.; xi *= 1.3)
+  {
+    const auto is_same = [xi](const double value) { return std::abs(value / xi - 1.) < 1e-9; };
+    assert(is_same(HDR::length_over_radius_of_error(HDR::error_of_length_over_radius(xi))));
+    assert(is_same(HDR::length_over_radius_of_sagitta(HDR::sagitta_of_length_over_radius(xi))));
+    assert(is_same(HDR::length_over_radius_of_elements_per_circle(HDR::elements_per_circle_of_length_over_radius(xi))));
+    assert(is_same(HDR::length_over_radius_of_angle(HDR::angle_of_length_over_radius(xi))));
+    assert(is_same(HDR::length_over_radius_of_sagitta_over_length(HDR::sagitta_over_length_of_length_over_radius(xi))));
+  }
+  const double xi = HDR::length_over_radius_of_error(0.02);
+  assert(std::abs(xi - 0.3340) < 5e-5);
+  assert(std::abs(HDR::sagitta_of_length_over_radius(xi) - 0.0140) < 5e-5);
+  assert(std::abs(HDR::elements_per_circle_of_length_over_radius(xi) - 18.7) < 0.05);
+  assert(std::abs(HDR::angle_of_length_over_radius(xi) - 19.2) < 0.05);
+  assert(std::abs(HDR::sagitta_over_length_of_length_over_radius(xi) - 0.0420) < 5e-5);
+  // half a circle
+  assert(HDR::length_over_radius_of_elements_per_circle(2.) == 2.);
+  assert(HDR::length_over_radius_of_angle(180.) == 2.);
+  assert(HDR::length_over_radius_of_sagitta(1.) == 2.);
+  assert(HDR::length_over_radius_of_sagitta_over_length(0.5) == 2.);
+
+  const auto is_refused = [](double (*law)(double), const double value)
+  {
+    try { law(value); }
+    catch(const std::invalid_argument&) { return true; }
+    return false;
+  };
+  for(const double bad : {0., -1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+    for(const auto law : {&HDR::length_over_radius_of_error, &HDR::error_of_length_over_radius,
+                          &HDR::length_over_radius_of_sagitta, &HDR::length_over_radius_of_elements_per_circle,
+                          &HDR::length_over_radius_of_angle, &HDR::length_over_radius_of_sagitta_over_length})
+      assert(is_refused(law, bad));
+}
+
+// the same mesh in the words of every law
+void test_laws_in_call()
+{
+  const analytic::Torus torus;
+  const Surface_mesh input = make_mesh<Surface_mesh>(torus.mesh(2000, 3));
+  const double xi = HDR::length_over_radius_of_error(0.05);
+  const auto faces_with = [&input](const auto& parameters)
+  {
+    Surface_mesh mesh = input;
+    return PMP::hermite_diffuse_remesh(mesh, parameters).number_of_faces;
+  };
+  const std::size_t expected = faces_with(params::approximation_error(0.05));
+  const auto is_near = [expected](const std::size_t n) { return std::abs(double(n) / expected - 1.) < 0.02; };
+  assert(is_near(faces_with(params::elements_per_circle(HDR::elements_per_circle_of_length_over_radius(xi)))));
+  assert(is_near(faces_with(params::angle_per_element(HDR::angle_of_length_over_radius(xi)))));
+  assert(is_near(faces_with(params::sagitta_over_length(HDR::sagitta_over_length_of_length_over_radius(xi)))));
+  // The smallest radius of curvature is the same everywhere on this thin torus. Errors of the curvature
+  // count half: with the square root of the radius.
+  const double sagitta = HDR::sagitta_of_length_over_radius(xi) * torus.r;
+  assert(std::abs(double(faces_with(params::sagitta(sagitta))) / expected - 1.) < 0.1);
+  // of several the smallest
+  assert(is_near(faces_with(params::elements_per_circle(4).approximation_error(0.05))));
+  for(const double bad : {0., -1., std::numeric_limits<double>::quiet_NaN()})
+  {
+    int refusals = 0;
+    try { faces_with(params::elements_per_circle(bad)); } catch(const std::invalid_argument&) { ++refusals; }
+    try { faces_with(params::angle_per_element(bad)); } catch(const std::invalid_argument&) { ++refusals; }
+    try { faces_with(params::sagitta_over_length(bad)); } catch(const std::invalid_argument&) { ++refusals; }
+    try { faces_with(params::sagitta(bad)); } catch(const std::invalid_argument&) { ++refusals; }
+    assert(refusals == 4);
+  }
 }
 
 struct Sized_model
@@ -44,7 +119,7 @@ void test_torus_sizes()
 {
   const analytic::Torus torus;
   Size_options options;
-  options.approximation_error = 0.02;
+  options.length_over_radius = length_of_error(0.02);
   options.minimum_length = 1e-3;
   options.maximum_length = 10.;
   const Indexed_triangles triangles = indexed(torus.mesh(5000, 3));
@@ -68,11 +143,10 @@ void test_gradation_on_large_faces()
   for(const double gradation : {1.1, 1.3, 2.})
   {
     Size_options options;
-    options.approximation_error = 0.;
     options.minimum_length = 1e-4;
     options.maximum_length = 0.5;
     options.gradation = gradation;
-    options.user_size = [](const Vector& p) { return (p - Vector(1, 0, 0)).norm() < 1e-9 ? 0.01 : 0.5; };
+    options.user_size = [](const Vector& p, const Location&) { return (p - Vector(1, 0, 0)).norm() < 1e-9 ? 0.01 : 0.5; };
     const Sized_model sized(square, options);
     const double slope = slope_of_gradation(gradation);
     const auto size_at = [&](const double x, const double y)
@@ -117,7 +191,7 @@ void test_coarse_middle()
     cylinder.triangles.push_back({{n, n + i, n + i + 1}});
   }
   Size_options options;
-  options.approximation_error = 0.001;
+  options.length_over_radius = length_of_error(0.001);
   options.minimum_length = 1e-4;
   options.maximum_length = 0.4;
   const Sized_model sized(cylinder, options);
@@ -138,6 +212,8 @@ void test_coarse_middle()
 int main()
 {
   test_error_law();
+  test_size_laws();
+  test_laws_in_call();
   test_torus_sizes();
   test_gradation_on_large_faces();
   test_coarse_middle();

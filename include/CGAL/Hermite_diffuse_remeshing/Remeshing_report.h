@@ -100,6 +100,11 @@ struct Remeshing_report
   /// @{
   /// part of the edges with a length between half and twice the size asked for, in [0, 1]
   double size_conformity = 0.;
+  /// number of faces of the whole mesh that was expected from the sizes before anything was changed:
+  /// the integral of \f$ 4/(\sqrt{3}\,L^2) \f$ over the remeshed part, and the faces of the rest
+  double predicted_number_of_faces = 0.;
+  /// factor of the sizes that `maximum_number_of_faces` made necessary; 1 if it did not
+  double size_scale = 1.;
   /// @}
 
   /// \name Classification

@@ -38,7 +38,11 @@
   ADD(principal_curvatures_map_t, principal_curvatures_map, principal_curvatures_map) \
   ADD(mean_curvature_t, mean_curvature, mean_curvature)                          \
   ADD(gaussian_curvature_t, gaussian_curvature, gaussian_curvature)              \
-  ADD(principal_curvatures_t, principal_curvatures, principal_curvatures)
+  ADD(principal_curvatures_t, principal_curvatures, principal_curvatures)        \
+  ADD(sagitta_t, sagitta, sagitta)                                               \
+  ADD(elements_per_circle_t, elements_per_circle, elements_per_circle)           \
+  ADD(angle_per_element_t, angle_per_element, angle_per_element)                 \
+  ADD(sagitta_over_length_t, sagitta_over_length, sagitta_over_length)
 
 #define CGAL_HDR_SHARED_PARAMETERS(ADD)                                           \
   ADD(geom_traits_t, geom_traits, geom_traits)                                   \

@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <CGAL/Real_timer.h>
@@ -131,6 +132,28 @@ namespace Polygon_mesh_processing {
  *     \cgalParamType{`double`, a pure number, at least 0}
  *     \cgalParamDefault{`0.01`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{sagitta}
+ *     \cgalParamDescription{largest distance between an edge and its arc. This and the next three say the same
+ *       as `approximation_error` in other words, see \ref PkgHermiteDiffuseRemeshingSizeLaws. Each replaces the
+ *       default of `approximation_error`; of several that are given the smallest size counts.}
+ *     \cgalParamType{`double`, a length, larger than 0}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{elements_per_circle}
+ *     \cgalParamDescription{number of edges on a full circle with the radius of curvature}
+ *     \cgalParamType{`double`, at least 2}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{angle_per_element}
+ *     \cgalParamDescription{angle that an edge spans at the centre of curvature}
+ *     \cgalParamType{`double`, degrees in (0, 180]}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sagitta_over_length}
+ *     \cgalParamDescription{distance between an edge and its arc divided by the length of the edge}
+ *     \cgalParamType{`double`, a ratio in (0, 0.5]}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_deviation}
  *     \cgalParamDescription{largest distance between the result and the fitted surface, measured at vertices,
  *       middles of edges and centroids of faces of the result, and from the input's vertices to the
@@ -151,11 +174,12 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{0.1 of the diameter of the mesh}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{size_field}
- *     \cgalParamDescription{the user's own size at a point; the smallest of it, the curvature's size and the
- *       upper bound is used. It is sampled at the vertices of the input, and between them where the
- *       size is small against the faces.}
- *     \cgalParamType{a unary function from `GeomTraits::Point_3` to a number type convertible to `double`,
- *       a length larger than 0}
+ *     \cgalParamDescription{the user's own size; the smallest of it, the curvature's size and the upper bound is
+ *       used. It is read before anything is changed: at the vertices of the mesh, and between them at
+ *       places half a size apart or closer. A finer part of the field that is smaller than the
+ *       elements around it may be overlooked if the field does not lead there gradually.}
+ *     \cgalParamType{a model of `HermiteDiffuseSizeField`, for instance a function from `GeomTraits::Point_3`
+ *       to `double`: a length larger than 0, infinite where there is no size}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{gradation}
@@ -225,7 +249,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`10`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_faces}
- *     \cgalParamDescription{no edge is split beyond this number of remeshed faces}
+ *     \cgalParamDescription{budget of remeshed faces. The sizes, their bounds included, are scaled up until
+ *       nine tenths of it are predicted, and no edge is split beyond it.}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{`std::numeric_limits<int>::max()`}
  *   \cgalParamNEnd
@@ -328,9 +353,6 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   // everything is read and checked before the first change
   const Feature_options feature_options = read_feature_options(pack);
   const Model_options model_options = read_model_options(pack);
-  const double maximum_deviation = choose_parameter(get_parameter(pack, internal_np::maximum_deviation),
-                                                    std::numeric_limits<double>::infinity());
-  check_positive_parameter("maximum_deviation", maximum_deviation);
   const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
   check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
   const std::size_t maximum_number_of_faces =
@@ -339,8 +361,8 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
 
   std::vector<face_descriptor> face_descriptors;
   const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
-  Size_options size_options = read_size_options(pack, gt, model_diameter(triangles));
-  size_options.maximum_deviation = maximum_deviation;
+  const Size_options size_options = read_size_options(pack, gt, model_diameter(triangles), face_descriptors);
+  const double maximum_deviation = size_options.maximum_deviation;
 
   Remeshing_report<TriangleMesh> report;
   report.number_of_input_faces = face_descriptors.size();
@@ -356,21 +378,30 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
                                 [&](const int v) { return get(vcm, vertex_descriptors[v]); }));
   });
 
-  std::unique_ptr<Size_map> sizes;
-  stage("size map", [&]
-  { sizes.reset(new Size_map(model->surface, model->edges, model->curves, size_options)); });
-
-  const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves,
-                            model->surface, model->locator, *sizes};
-  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> User;
-  typedef Working_mesh<User> Mesh;
-
   auto face_rank = get(CGAL::dynamic_face_property_t<int>(), tmesh);
   for(std::size_t i = 0; i < face_descriptors.size(); ++i)
     put(face_rank, face_descriptors[i], static_cast<int>(i));
   std::vector<char> is_remeshed(face_descriptors.size(), false);
   for(const face_descriptor f : faces)
     is_remeshed[get(face_rank, f)] = true;
+
+  std::unique_ptr<Size_map> sizes;
+  stage("size map", [&]
+  {
+    sizes.reset(new Size_map(model->surface, model->edges, model->curves, size_options));
+    const auto is_selected = [&is_remeshed](const int f) { return is_remeshed[f] != 0; };
+    // the rest is for the places where the sizes do not fit the shape
+    constexpr double used_part = 0.9;
+    sizes->limit_number_of_faces(used_part * double(maximum_number_of_faces), is_selected);
+    report.size_scale = sizes->scale();
+    report.predicted_number_of_faces = sizes->number_of_faces(is_selected)
+                                     + double(std::count(is_remeshed.begin(), is_remeshed.end(), false));
+  });
+
+  const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves,
+                            model->surface, model->locator, *sizes};
+  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> User;
+  typedef Working_mesh<User> Mesh;
 
   Mesh mesh(User{tmesh, vpm, ecm, fpm, gt, visitor}, reference, face_descriptors, is_remeshed,
             [&](const halfedge_descriptor h) { return protect && get(ecm, edge(h, tmesh)); },

@@ -10,7 +10,6 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_PARAMETERS_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Input_model.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
@@ -21,7 +20,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <sstream>
 #include <vector>
 
 namespace CGAL {
@@ -70,49 +68,6 @@ Model_options read_model_options(const Pack& pack)
                                      is_of_paper ? AREA_NORMALS : FITTED_NORMALS);
   if(is_of_paper || options.normals == SMOOTH_NORMALS)
     options.exponent = 1;                // the paper's; also averages the noise of the positions
-  return options;
-}
-
-// `diameter`: of the model, which the defaults are relative to.
-template <typename Pack, typename GeomTraits>
-Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const double diameter)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  constexpr double smallest_part = 1e-4, largest_part = 0.1;
-  Size_options options;
-  options.approximation_error = choose_parameter(get_parameter(pack, internal_np::approximation_error), 0.01);
-  check_parameter("approximation_error", options.approximation_error, 0., std::numeric_limits<double>::max());
-  options.gradation = choose_parameter(get_parameter(pack, internal_np::gradation), 1.3);
-  check_parameter("gradation", options.gradation, 1., 2.);
-  options.minimum_length = choose_parameter(get_parameter(pack, internal_np::minimum_edge_length), 0.);
-  check_parameter("minimum_edge_length", options.minimum_length, 0., std::numeric_limits<double>::max());
-  options.maximum_length = choose_parameter(get_parameter(pack, internal_np::maximum_edge_length), 0.);
-  check_parameter("maximum_edge_length", options.maximum_length, 0., std::numeric_limits<double>::infinity());
-  if constexpr(!parameters::is_default_parameter<Pack, internal_np::size_field_t>::value)
-  {
-    const auto field = get_parameter(pack, internal_np::size_field);
-    const auto construct_point = traits.construct_point_3_object();
-    options.user_size = [field, construct_point](const Vector& p)
-    {
-      const double size = CGAL::to_double(field(construct_point(p[0], p[1], p[2])));
-      if(!(size > 0.))
-      {
-        std::ostringstream place;
-        place << "the value of size_field at (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
-        refuse(place.str(), size, "a size must be larger than zero");
-      }
-      return size;
-    };
-  }
-  const bool is_maximum_given = options.maximum_length > 0.;
-  if(options.minimum_length == 0.)
-    options.minimum_length = is_maximum_given ? (std::min)(smallest_part * diameter, options.maximum_length)
-                                              : smallest_part * diameter;
-  if(!is_maximum_given)
-    options.maximum_length = (std::max)(largest_part * diameter, options.minimum_length);
-  if(options.minimum_length > options.maximum_length)
-    refuse("minimum_edge_length", options.minimum_length, "it must not be larger than maximum_edge_length");
   return options;
 }
 

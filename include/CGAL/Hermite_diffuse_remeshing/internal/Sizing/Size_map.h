@@ -10,15 +10,16 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_SIZE_MAP_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/size_from_curvature.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
 
 #include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -28,16 +29,6 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-struct Size_options
-{
-  double approximation_error = 0.01;      // 0: the curvature is not looked at
-  double minimum_length = 0., maximum_length = 0.;
-  double gradation = 1.3;
-  double maximum_deviation = std::numeric_limits<double>::infinity();
-  // the user's size at a point, infinite where there is none
-  std::function<double(const Vector&)> user_size;
-};
-
 // The size of the elements as a function on the reference: the smallest of the curvature's (of the
 // surface at both sides of a feature, and of the feature curve), the user's, and the bounds, then
 // limited in slope. It is piecewise linear on the reference's faces, which are bisected where they
@@ -45,76 +36,71 @@ struct Size_options
 // carry a coarse middle. Read at a location by descending the bisections of its face.
 class Size_map
 {
-  struct Cell
-  {
-    std::array<int, 3> samples;
-    int face;
-    int split_side = -1;                  // -1: leaf
-    int first_child = -1;                 // the children keep the start and the end of the split side
-  };
+  typedef Bisection_tree::Cell Cell;
 
   struct Sample
   {
     Vector position;
-    double own_size;                      // before gradation
+    double own_size;                      // of curvature, user and bounds, before gradation
+    double user_size;                     // the user's part of it
+    double cap = std::numeric_limits<double>::infinity();
   };
 
   typedef std::pair<int, int> Sample_pair;
+  template <typename Value>
+  using Pair_map = std::unordered_map<Sample_pair, Value, boost::hash<Sample_pair> >;
 
-  const Reference_surface& m_surface;
-  Size_options m_options;
-  double m_length_over_radius;
-  std::vector<Cell> m_cells;              // first one root per face
+  Size_sources m_sources;
+  Bisection_tree m_cells;
   std::vector<Sample> m_samples;          // first the vertices of the reference
   std::vector<double> m_sizes;            // after gradation
-  std::unordered_map<Sample_pair, int, boost::hash<Sample_pair> > m_middles;
-  // curvature's size along the pieces of the feature edges
-  std::unordered_map<Sample_pair, double, boost::hash<Sample_pair> > m_curve_sizes;
+  Pair_map<int> m_middles;
+  Pair_map<double> m_curve_sizes;         // curvature's size along the pieces of the feature edges
+  double m_scale = 1.;                    // of the own sizes, to meet a budget
+  bool m_is_sample_lowered = false;       // since the sizes were last graded
 
   // a cell is fine enough when its longest side is this many sizes long
   static constexpr double sides_per_size = 2.;
+  // where the size that was asked for jumps, this many: the place of the jump moves by as much
+  static constexpr double sides_per_size_at_jump = 0.25;
   // or when the size in it differs by less than this from its linear interpolation
   static constexpr double size_tolerance = 0.25;
+  // The user's field is probed at points this many sizes apart: a part of the field with smaller sizes
+  // is seen when it is as large as the elements around it. Off the simple ratios that regular meshes
+  // have, so that rounding does not choose the number of points.
+  static constexpr double probe_distance = 0.4973;
   // a bisection halves a side: 48 of them in a row reach the rounding of the coordinates
   static constexpr int maximum_number_of_rounds = 48;
 
 public:
   Size_map(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
            const Size_options& options)
-    : m_surface(surface), m_options(options)
-    , m_length_over_radius(options.approximation_error > 0.
-                           ? length_of_error(options.approximation_error)
-                           : std::numeric_limits<double>::infinity())
+    : m_sources(surface, options), m_cells(surface.triangles())
   {
-    sample_vertices(curves);
+    sample_vertices(surface, curves);
     sample_curves(edges, curves);
-    const Indexed_triangles& triangles = surface.triangles();
-    for(int f = 0; f < triangles.number_of_faces(); ++f)
-    {
-      Cell root;
-      root.samples = triangles.triangles[f];
-      root.face = f;
-      m_cells.push_back(root);
-    }
     refine();
+    // From now on the mesh changes, and a field that refers to it with it: what has been read is
+    // all that is known.
+    m_sources.forget_user_size();
   }
 
   double operator()(const Location& location) const
   {
-    const std::pair<int, Barycentric> at = leaf(location);
+    const std::pair<int, Barycentric> at = m_cells.leaf(location);
     const std::array<int, 3>& s = m_cells[at.first].samples;
     return at.second[0] * m_sizes[s[0]] + at.second[1] * m_sizes[s[1]] + at.second[2] * m_sizes[s[2]];
   }
 
-  double minimum_length() const { return m_options.minimum_length; }
+  double minimum_length() const { return m_sources.options().minimum_length; }
 
   // Asks for smaller sizes: each cap bounds the size at the corners of the cell around a location.
   // Call `refine()` after the last one.
   void add_cap(const Location& location, const double size)
   {
-    const double bounded = (std::max)(size, m_options.minimum_length);
-    for(const int s : m_cells[leaf(location).first].samples)
-      m_samples[s].own_size = (std::min)(m_samples[s].own_size, bounded);
+    const double bounded = (std::max)(size, minimum_length());
+    for(const int s : m_cells[m_cells.leaf(location).first].samples)
+      m_samples[s].cap = (std::min)(m_samples[s].cap, bounded);
   }
 
   // bisects cells until each is small against the size or the size is linear in it
@@ -124,100 +110,83 @@ public:
     {
       grade();
       bool is_refined = false;
-      const int number_of_cells = static_cast<int>(m_cells.size());
+      const int number_of_cells = m_cells.number_of_cells();
       for(int c = 0; c < number_of_cells; ++c)
-        if(m_cells[c].split_side == -1 && is_too_coarse(c))
+        if(m_cells.is_leaf(c) && is_too_coarse(c))
         {
-          bisect(c);
+          const int k = longest_side(m_cells[c]);
+          const int middle = middle_of_side(m_cells[c], k);
+          m_cells.bisect(c, k, middle);
           is_refined = true;
         }
       if(!is_refined)
-        return;
+        break;
     }
-    grade();
+    if(m_is_sample_lowered || m_sizes.size() < m_samples.size())
+      grade();
   }
+
+  // number of equilateral triangles with the size of the map on the faces that are selected
+  template <typename IsSelected>
+  double number_of_faces(const IsSelected& is_selected) const
+  {
+    double number = 0.;
+    for(int c = 0; c < m_cells.number_of_cells(); ++c)
+    {
+      const Cell& cell = m_cells[c];
+      if(!m_cells.is_leaf(c) || !is_selected(cell.face))
+        continue;
+      number += number_of_equilateral_faces(
+        m_samples[cell.samples[0]].position, m_samples[cell.samples[1]].position, m_samples[cell.samples[2]].position,
+        {{m_sizes[cell.samples[0]], m_sizes[cell.samples[1]], m_sizes[cell.samples[2]]}});
+    }
+    return number;
+  }
+
+  // Scales the sizes up until their number of faces is at most `limit`. The number falls with the square
+  // of the scale or, where the gradation rules, more slowly: the steps never lead below the limit.
+  template <typename IsSelected>
+  void limit_number_of_faces(const double limit, const IsSelected& is_selected)
+  {
+    // a number of faces that is this close is met
+    constexpr double tolerance = 0.002;
+    constexpr int maximum_number_of_steps = 100;
+    for(int step = 0; step < maximum_number_of_steps; ++step)
+    {
+      const double number = number_of_faces(is_selected);
+      if(!(number > (1. + tolerance) * limit))
+        return;
+      m_scale *= std::sqrt(number / limit);
+      grade();
+    }
+  }
+
+  // of the sizes that were asked for
+  double scale() const { return m_scale; }
 
 private:
-  // the cell without children at a location, and the coordinates in it
-  std::pair<int, Barycentric> leaf(const Location& location) const
+  void sample_vertices(const Reference_surface& surface, const Feature_curves& curves)
   {
-    // Points between two children are usual on regular meshes, and the sizes may differ there where
-    // only one of the children is bisected further: rounding must not choose.
-    constexpr double margin = 1e-9;
-    int c = location.face;
-    Barycentric l = location.coordinates;
-    while(m_cells[c].split_side != -1)
-    {
-      const int k = m_cells[c].split_side, j = next(k);
-      const int child = l[k] + margin >= l[j] ? 0 : 1;
-      const int kept = child == 0 ? k : j, replaced = child == 0 ? j : k;
-      l[kept] -= l[replaced];
-      l[replaced] *= 2.;
-      c = m_cells[c].first_child + child;
-    }
-    return std::make_pair(c, l);
-  }
-
-  double clamped(const double size) const
-  {
-    return (std::max)(m_options.minimum_length, (std::min)(m_options.maximum_length, size));
-  }
-
-  double size_of_curvature(const double curvature) const
-  {
-    if(!(curvature > 0.))
-      return std::numeric_limits<double>::infinity();
-    return (std::min)(m_length_over_radius / curvature,
-                      length_of_deviation(m_options.maximum_deviation, 1. / curvature));
-  }
-
-  double user_size(const Vector& p) const
-  {
-    return m_options.user_size ? m_options.user_size(p) : std::numeric_limits<double>::infinity();
-  }
-
-  double surface_size(const Location& location) const
-  {
-    if(m_options.approximation_error <= 0. && m_options.maximum_deviation == std::numeric_limits<double>::infinity())
-      return std::numeric_limits<double>::infinity();
-    const std::pair<double, double> k = m_surface.evaluate(location).monge_form().curvatures();
-    return size_of_curvature((std::max)(std::abs(k.first), std::abs(k.second)));
-  }
-
-  // The one-sided fit at the end of a fan of faces is the least certain of the model: at an open
-  // node the mean curvature in its faces is taken.
-  double node_size(const int node) const
-  {
-    const Index_range corners = m_surface.cut_mesh().corners(node);
-    Location location;
-    if(!m_surface.cut_mesh().is_open(node))
-    {
-      location.face = corners.first[0] / 3;
-      location.coordinates.fill(0.);
-      location.coordinates[corners.first[0] % 3] = 1.;
-      return surface_size(location);
-    }
-    double sum = 0.;
-    location.coordinates.fill(1. / 3.);
-    for(const int c : corners)
-    {
-      location.face = c / 3;
-      sum += 1. / surface_size(location);
-    }
-    return corners.size() / sum;
-  }
-
-  void sample_vertices(const Feature_curves& curves)
-  {
-    const Indexed_triangles& triangles = m_surface.triangles();
+    const Indexed_triangles& triangles = surface.triangles();
     for(const Vector& p : triangles.points)
-      m_samples.push_back({p, clamped(user_size(p))});
-    for(int i = 0; i < m_surface.cut_mesh().number_of_nodes(); ++i)
-      if(!m_surface.node(i).is_singular)
-        lower(m_surface.cut_mesh().vertex(i), node_size(i));
+      m_samples.push_back({p, m_sources.options().maximum_length, m_sources.options().maximum_length});
+    if(m_sources.has_user_size())
+    {
+      std::vector<char> is_done(triangles.number_of_vertices(), false);
+      for(int c = 0; c < 3 * triangles.number_of_faces(); ++c)
+      {
+        const int v = triangles.triangles[c / 3][c % 3];
+        if(!is_done[v] || m_sources.options().is_user_size_local)
+          lower_user_size(v, m_sources.of_user(triangles.points[v], Size_sources::location_of_corner(c)));
+        is_done[v] = true;
+      }
+    }
+    for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i)
+      if(!surface.node(i).is_singular)
+        lower(surface.cut_mesh().vertex(i), m_sources.of_node(i));
     for(const Feature_curve& curve : curves.curves)
       for(std::size_t i = 0; i < curve.vertices.size(); ++i)
-        lower(curve.vertices[i], size_of_curvature(curve.spline.curvature_at_point(static_cast<int>(i))));
+        lower(curve.vertices[i], m_sources.of_curvature(curve.spline.curvature_at_point(static_cast<int>(i))));
   }
 
   void sample_curves(const Edge_table& edges, const Feature_curves& curves)
@@ -228,13 +197,23 @@ private:
         const double curvature = (curve.spline.curvature_at_point(static_cast<int>(i))
                                 + curve.spline.curvature_at_point(static_cast<int>(i) + 1)) / 2.;
         const std::array<int, 2>& ends = edges.vertices(curve.edges[i]);
-        m_curve_sizes[Sample_pair(ends[0], ends[1])] = clamped(size_of_curvature(curvature));
+        m_curve_sizes[ordered(ends[0], ends[1])] = m_sources.of_curvature(curvature);
       }
   }
 
   void lower(const int sample, const double size)
   {
-    m_samples[sample].own_size = (std::min)(m_samples[sample].own_size, clamped(size));
+    const double clamped = m_sources.clamped(size);
+    if(!(clamped < m_samples[sample].own_size))
+      return;
+    m_samples[sample].own_size = clamped;
+    m_is_sample_lowered = true;
+  }
+
+  void lower_user_size(const int sample, const double size)
+  {
+    m_samples[sample].user_size = (std::min)(m_samples[sample].user_size, size);
+    lower(sample, size);
   }
 
   static Sample_pair ordered(const int a, const int b)
@@ -259,7 +238,7 @@ private:
 
   Location location_of(const Cell& cell, const Vector& p) const
   {
-    const Indexed_triangles& triangles = m_surface.triangles();
+    const Indexed_triangles& triangles = m_sources.triangles();
     const Vector n = triangles.area_vector(cell.face);
     const double area2 = n.squaredNorm();
     Location location;
@@ -271,32 +250,42 @@ private:
     return location;
   }
 
-  // the sample at the middle of a side, made on demand and shared by the cells at the side
+  // The sample at the middle of a side, made on demand and shared by the cells at the side. Each of them
+  // adds what it knows: a feature has a surface at each side, and a field of the user per face has two
+  // values at an edge.
   int middle_of_side(const Cell& cell, const int k)
   {
     const int a = cell.samples[k], b = cell.samples[next(k)];
     const Sample_pair key = ordered(a, b);
     const auto found = m_middles.find(key);
-    const Vector middle = (m_samples[key.first].position + m_samples[key.second].position) / 2.;
+    const bool is_new = found == m_middles.end();
+    const int sample = is_new ? static_cast<int>(m_samples.size()) : found->second;
     const auto on_curve = m_curve_sizes.find(key);
-    if(found != m_middles.end())
+    const bool is_on_curve = on_curve != m_curve_sizes.end();
+    if(is_new)
     {
-      // a feature has a surface at each side
-      if(on_curve != m_curve_sizes.end())
-        lower(found->second, surface_size(location_of(cell, middle)));
-      return found->second;
+      // the interpolated size of the user stands where the field is not asked any more
+      const double user_size = m_sources.has_user_size() ? m_sources.options().maximum_length
+                             : (m_samples[a].user_size + m_samples[b].user_size) / 2.;
+      m_samples.push_back({(m_samples[key.first].position + m_samples[key.second].position) / 2.,
+                           user_size, user_size});
+      m_middles[key] = sample;
+      if(is_on_curve)
+      {
+        const double size = on_curve->second;
+        lower(sample, size);
+        m_curve_sizes[ordered(a, sample)] = m_curve_sizes[ordered(sample, b)] = size;
+      }
     }
-
-    const int sample = static_cast<int>(m_samples.size());
-    m_samples.push_back({middle, clamped(user_size(middle))});
-    lower(sample, surface_size(location_of(cell, middle)));
-    if(on_curve != m_curve_sizes.end())
+    const bool is_user_asked = m_sources.has_user_size() && (is_new || m_sources.options().is_user_size_local);
+    if(is_new || is_on_curve || is_user_asked)
     {
-      const double size = on_curve->second;
-      lower(sample, size);
-      m_curve_sizes[ordered(a, sample)] = m_curve_sizes[ordered(sample, b)] = size;
+      const Location location = location_of(cell, m_samples[sample].position);
+      if(is_new || is_on_curve)
+        lower(sample, m_sources.of_surface(location));
+      if(is_user_asked)
+        lower_user_size(sample, m_sources.of_user(location));
     }
-    m_middles[key] = sample;
     return sample;
   }
 
@@ -306,49 +295,91 @@ private:
     const int k = longest_side(cell);
     const double s[3] = {m_sizes[cell.samples[0]], m_sizes[cell.samples[1]], m_sizes[cell.samples[2]]};
     const double smallest = (std::min)({s[0], s[1], s[2]}), largest = (std::max)({s[0], s[1], s[2]});
-    if(side_length(cell, k) <= sides_per_size * smallest)
-      return false;
-    if(largest > (1. + size_tolerance) * smallest)
+    const double length = side_length(cell, k);
+    if(length > sides_per_size * smallest)
+    {
+      if(largest > (1. + size_tolerance) * smallest)
+        return true;
+      // the size could have a peak or a hollow between equal corners
+      const double interpolated = (s[k] + s[next(k)]) / 2.;
+      const int middle = middle_of_side(cell, k);
+      // the cell at the other side may have it already, graded
+      const double at_middle = middle < static_cast<int>(m_sizes.size()) ? m_sizes[middle]
+                                                                         : m_samples[middle].own_size;
+      if(at_middle < interpolated / (1. + size_tolerance) || at_middle > (1. + size_tolerance) * interpolated)
+        return true;
+    }
+    if(length > sides_per_size_at_jump * smallest && is_jump(cell))
       return true;
-    // the size could have a peak or a hollow between equal corners
-    const double interpolated = (s[k] + s[next(k)]) / 2.;
-    const int middle = middle_of_side(cell, k);
-    // the cell at the other side may have it already, graded
-    const double at_middle = middle < static_cast<int>(m_sizes.size()) ? m_sizes[middle]
-                                                                       : m_samples[middle].own_size;
-    return at_middle < interpolated / (1. + size_tolerance) || at_middle > (1. + size_tolerance) * interpolated;
+    if(!m_sources.has_user_size() || cell.is_probed)
+      return false;
+    if(has_smaller_user_size(cell, length, s))
+      return true;
+    m_cells.set_probed(c);
+    return false;
   }
 
-  void bisect(const int c)
+  double asked_size(const int sample) const
   {
-    const int k = longest_side(m_cells[c]);
-    const int middle = middle_of_side(m_cells[c], k);
-    Cell first = m_cells[c], second = m_cells[c];
-    first.samples[next(k)] = middle;
-    second.samples[k] = middle;
-    m_cells[c].split_side = k;
-    m_cells[c].first_child = static_cast<int>(m_cells.size());
-    m_cells.push_back(first);
-    m_cells.push_back(second);
+    return (std::min)(m_scale * m_samples[sample].own_size, m_samples[sample].cap);
+  }
+
+  // Do the sizes that were asked for differ more between two corners than the gradation allows?
+  bool is_jump(const Cell& cell) const
+  {
+    for(int k = 0; k < 3; ++k)
+    {
+      const double a = asked_size(cell.samples[k]), b = asked_size(cell.samples[next(k)]);
+      const double allowed = slope_of_gradation(m_sources.options().gradation) * side_length(cell, k);
+      if(std::abs(a - b) > (1. + size_tolerance) * allowed + size_tolerance * (std::min)(a, b))
+        return true;
+    }
+    return false;
+  }
+
+  // Is there a point in a cell where the user's size is smaller than the interpolation of the corners'?
+  bool has_smaller_user_size(const Cell& cell, const double length, const double s[3]) const
+  {
+    const double step = probe_distance * (std::min)({s[0], s[1], s[2]});
+    const int n = static_cast<int>((std::min)(length / step, double((std::numeric_limits<int>::max)() / 2)));
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; i + j <= n; ++j)
+      {
+        // the centroids of the upright triangles of a regular partition of the cell
+        const Barycentric l = {{(i + 1. / 3.) / (n + 1.), (j + 1. / 3.) / (n + 1.),
+                                1. - (i + j + 2. / 3.) / (n + 1.)}};
+        Vector p = Vector::Zero();
+        double interpolated = 0.;
+        for(int m = 0; m < 3; ++m)
+        {
+          p += l[m] * m_samples[cell.samples[m]].position;
+          interpolated += l[m] * s[m];
+        }
+        const double size = m_sources.of_user(p, location_of(cell, p));
+        if(size * (1. + size_tolerance) < interpolated && length > sides_per_size * size)
+          return true;
+      }
+    return false;
   }
 
   void grade()
   {
+    m_is_sample_lowered = false;
     m_sizes.resize(m_samples.size());
     for(std::size_t i = 0; i < m_samples.size(); ++i)
-      m_sizes[i] = m_samples[i].own_size;
-    if(m_options.gradation == 1.)
+      m_sizes[i] = asked_size(static_cast<int>(i));
+    if(m_sources.options().gradation == 1.)
     {
       // one size for all
       std::fill(m_sizes.begin(), m_sizes.end(), *std::min_element(m_sizes.begin(), m_sizes.end()));
       return;
     }
     std::vector<std::array<int, 3> > leaves;
-    for(const Cell& cell : m_cells)
-      if(cell.split_side == -1)
-        leaves.push_back(cell.samples);
+    for(int c = 0; c < m_cells.number_of_cells(); ++c)
+      if(m_cells.is_leaf(c))
+        leaves.push_back(m_cells[c].samples);
     limit_gradation(leaves, [this](const int i) -> const Vector& { return m_samples[i].position; },
-                    slope_of_gradation(m_options.gradation), m_sizes);
+                    slope_of_gradation(m_sources.options().gradation), m_sizes);
   }
 };
 

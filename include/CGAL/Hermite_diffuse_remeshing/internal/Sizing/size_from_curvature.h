@@ -52,6 +52,12 @@ inline double length_of_error(const double error)
   return std::sqrt(u);
 }
 
+// The chord with this sagitta on a circle, s = R - sqrt(R^2 - L^2/4); no chord is longer than the diameter.
+inline double length_of_sagitta(const double sagitta, const double radius)
+{
+  return sagitta < radius ? 2. * std::sqrt(sagitta * (2. * radius - sagitta)) : 2. * radius;
+}
+
 // Edge length of an equilateral triangle inscribed in a sphere whose middle is `deviation` below the
 // sphere: the circumscribed circle has the radius L/sqrt(3) and the sagitta L^2/(6 R).
 inline double length_of_deviation(const double deviation, const double radius)

@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
+#define CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * The class `Hermite_diffuse_size_map` gives the sizes that
+ * `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()` would use, without changing the mesh: the
+ * smallest of the curvature's size, on faces and feature curves, of the user's `size_field` and of the
+ * bounds, limited by the gradation and scaled to the budget of faces. It also predicts how many faces
+ * the result will have.
+ *
+ * The object is immutable, and refers to nothing: the mesh may change afterwards, for instance while
+ * another remesher reads its sizes here. Queries from several threads are safe.
+ *
+ * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam GeomTraits_ a model of `HermiteDiffuseRemeshingTraits`; by default the kernel of the points
+ *         of the mesh
+ *
+ * @sa `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`
+ * @sa `CGAL::Hermite_diffuse_surface`
+ */
+template <typename TriangleMesh,
+          typename GeomTraits_ = typename GetGeomTraits<TriangleMesh>::type>
+class Hermite_diffuse_size_map
+{
+  typedef Hermite_diffuse_remeshing::internal::Input_model Input_model;
+  typedef Hermite_diffuse_remeshing::internal::Location Location;
+  typedef Hermite_diffuse_remeshing::internal::Size_map Size_map;
+  typedef Hermite_diffuse_remeshing::internal::Vector Vector;
+
+public:
+  /// \name Types
+  /// @{
+  typedef GeomTraits_ Geom_traits;
+  typedef typename Geom_traits::FT FT;
+  typedef typename Geom_traits::Point_3 Point_3;
+  /// rank of a face of the mesh, at the time of the construction, and the barycentric coordinates in it
+  typedef std::pair<std::size_t, std::array<FT, 3> > Face_location;
+  /// @}
+
+private:
+  Geom_traits m_traits;
+  std::unique_ptr<Input_model> m_model;
+  std::unique_ptr<Size_map> m_sizes;
+
+public:
+  /*!
+   * computes the sizes on a mesh.
+   *
+   * @param tmesh the mesh, which is not changed
+   * @param np an optional sequence of the named parameters of
+   *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`; those that concern neither the model
+   *        nor the sizes are not read
+   *
+   * Takes time and memory proportional to the number of faces, and to the number of places where the
+   * sizes vary inside a face.
+   *
+   * \throw std::invalid_argument as `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()` does
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Hermite_diffuse_size_map(const TriangleMesh& tmesh,
+                                    const NamedParameters& np = parameters::default_values())
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    using namespace Hermite_diffuse_remeshing::internal;
+    typedef boost::graph_traits<TriangleMesh> Graph_traits;
+
+    const auto& pack = Hermite_diffuse_remeshing::internal::pack(np);
+    m_traits = choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits));
+    const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                                      get_const_property_map(CGAL::vertex_point, tmesh));
+    std::vector<typename Graph_traits::face_descriptor> face_descriptors;
+    const Indexed_triangles triangles = read_triangles(tmesh, vpm, m_traits, face_descriptors);
+    const std::vector<typename Graph_traits::vertex_descriptor>
+      vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
+    const Size_options options = read_size_options(pack, m_traits, model_diameter(triangles), face_descriptors);
+    m_model = read_model(tmesh, triangles, vertex_descriptors, face_descriptors, m_traits, pack);
+    m_sizes.reset(new Size_map(m_model->surface, m_model->edges, m_model->curves, options));
+    if constexpr(is_given<std::decay_t<decltype(pack)>, internal_np::maximum_number_of_faces_t>())
+      m_sizes->limit_number_of_faces(double(get_parameter(pack, internal_np::maximum_number_of_faces)),
+                                     [](int) { return true; });
+  }
+
+  /// returns the size at the point of the mesh that is closest to `p`, a length; in time logarithmic in
+  /// the number of faces.
+  FT size(const Point_3& p) const
+  {
+    return FT((*m_sizes)(m_model->locator.closest(Vector(CGAL::to_double(m_traits.compute_x_3_object()(p)),
+                                                         CGAL::to_double(m_traits.compute_y_3_object()(p)),
+                                                         CGAL::to_double(m_traits.compute_z_3_object()(p))))));
+  }
+
+  /// returns the size at a location on the mesh, a length; in constant time.
+  FT size(const Face_location& location) const
+  {
+    Location at;
+    at.face = static_cast<int>(location.first);
+    for(int k = 0; k < 3; ++k)
+      at.coordinates[k] = CGAL::to_double(location.second[k]);
+    return FT((*m_sizes)(at));
+  }
+
+  /// returns the number of faces to expect of a remeshing with these sizes: the integral of
+  /// \f$ 4/(\sqrt{3}\,L^2) \f$ over the mesh, \f$ L \f$ being the size.
+  double predicted_number_of_faces() const
+  {
+    return m_sizes->number_of_faces([](int) { return true; });
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
