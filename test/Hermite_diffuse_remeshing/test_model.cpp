@@ -123,11 +123,7 @@ Local_quadric bare_fit(const Reference_surface& surface, const Location& locatio
     polynomial.add_slopes(x, y, -n.dot(result.x_axis) / nz, -n.dot(result.y_axis) / nz, t * omega);
   }
   for(int i = 3; i < Local_polynomial<Degree>::size; ++i)
-  {
-    std::array<double, Local_polynomial<Degree>::size> row = {};
-    row[i] = 1.;
-    polynomial.add_equation(row, 0., 1e-9 * weights.size() * (std::min)(1., largest));
-  }
+    polynomial.add_ridge_on_coefficient(i, 1e-9 * weights.size() * (std::min)(1., largest));
   assert(polynomial.solve() > 0.);
   for(int i = 0; i < 6; ++i)
     result.a[i] = polynomial[i];

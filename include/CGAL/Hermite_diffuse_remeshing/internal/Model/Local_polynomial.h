@@ -10,147 +10,177 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
+// Monomials x^(order-j) y^j are numbered by order, then by j.
+constexpr int number_of_monomials(const int degree) { return (degree + 1) * (degree + 2) / 2; }
+constexpr int monomial(const int order, const int j) { return order * (order + 1) / 2 + j; }
+
+// How the normal matrix of a polynomial of the given degree is made of the moments of the data. With
+// M and N the sums of w x^a y^b over positions and slopes, the entry of x^a y^b and x^c y^d is
+//   M(a+c,b+d) + ac N(a+c-2,b+d) + bd N(a+c,b+d-2),
+// and the right-hand side of x^a y^b is  Z(a,b) + a P(a-1,b) + b Q(a,b-1)  with the sums Z, P, Q of
+// w z x^a y^b and so on. A product that is absent has factor 0 and any moment.
+template <int Degree>
+struct Moment_table
+{
+  struct Entry { int position, slope_x, slope_y; double factor_x, factor_y; };
+
+  static constexpr int size = number_of_monomials(Degree);
+  Entry matrix[size][size] = {};         // lower triangle
+  Entry rhs[size] = {};
+
+  constexpr Moment_table()
+  {
+    for(int o = 0; o <= Degree; ++o)
+      for(int j = 0; j <= o; ++j)
+      {
+        const int row = monomial(o, j);
+        rhs[row].slope_x = o > j ? monomial(o - 1, j) : 0;
+        rhs[row].slope_y = j > 0 ? monomial(o - 1, j - 1) : 0;
+        rhs[row].factor_x = o - j;
+        rhs[row].factor_y = j;
+        for(int p = 0; p <= Degree; ++p)
+          for(int k = 0; k <= p; ++k)
+          {
+            Entry& entry = matrix[row][monomial(p, k)];
+            entry.position = monomial(o + p, j + k);
+            entry.factor_x = (o - j) * (p - k);
+            entry.factor_y = j * k;
+            entry.slope_x = entry.factor_x > 0. ? monomial(o + p - 2, j + k) : 0;
+            entry.slope_y = entry.factor_y > 0. ? monomial(o + p - 2, j + k - 2) : 0;
+          }
+      }
+  }
+};
+
 // Weighted Hermite least squares in one fixed frame (paper, section 2.6): the polynomial
 //   f(x,y) = a0 + a1 x + a2 y + a3 x^2 + a4 xy + a5 y^2 + a6 x^3 + a7 x^2 y + a8 x y^2 + a9 y^3 ...
 // that minimises  sum w_i [ (1-t) (f(x_i,y_i) - z_i)^2 + t (f_x - p_i)^2 + t (f_y - q_i)^2 ]
-// plus a ridge, solved by its normal equations scaled to a unit diagonal. Coordinates are
-// expected to be divided by a local length; otherwise t and the ridge have no meaning.
+// plus a ridge, solved by its normal equations. Coordinates are expected to be divided by a local
+// length; otherwise t and the ridge have no meaning.
+//
+// The data only enter by moments, which costs a third of adding up the products of equations.
 template <int Degree>
 class Local_polynomial
 {
 public:
-  static constexpr int size = (Degree + 1) * (Degree + 2) / 2;
+  static constexpr int size = number_of_monomials(Degree);
 
 private:
-  std::array<std::array<double, size>, size> m_matrix;      // lower triangle
-  std::array<double, size> m_rhs;
-  std::array<double, size> m_coefficients;
+  static constexpr Moment_table<Degree> table = Moment_table<Degree>();
+  static constexpr int size_of_slopes = number_of_monomials(Degree - 1);
+
+  std::array<double, number_of_monomials(2 * Degree)> m_moments{};
+  std::array<double, number_of_monomials(2 * Degree - 2)> m_slope_moments{};
+  std::array<double, size> m_z{};
+  std::array<double, size_of_slopes> m_p{}, m_q{};
+  std::array<double, size> m_ridge{};
+  std::array<double, size> m_coefficients{};
 
 public:
-  Local_polynomial() { clear(); }
-
-  void clear()
-  {
-    for(std::array<double, size>& row : m_matrix)
-      row.fill(0.);
-    m_rhs.fill(0.);
-    m_coefficients.fill(0.);
-  }
-
-  // row . a = rhs, any linear equation of the coefficients a
-  void add_equation(const std::array<double, size>& row, const double rhs, const double weight)
-  {
-    for(int i = 0; i < size; ++i)
-    {
-      const double w = weight * row[i];
-      for(int j = 0; j <= i; ++j)
-        m_matrix[i][j] += w * row[j];
-      m_rhs[i] += w * rhs;
-    }
-  }
-
   // f(x,y) = z
   void add_position(const double x, const double y, const double z, const double weight)
   {
-    add_equation(monomials(x, y), z, weight);
+    add_positions(monomials(x, y), z, weight);
   }
 
   // f_x(x,y) = p and f_y(x,y) = q
   void add_slopes(const double x, const double y, const double p, const double q, const double weight)
   {
-    const std::array<double, size> m = monomials(x, y);
-    std::array<double, size> row;
-    differentiate<0>(m, row);
-    add_equation(row, p, weight);
-    differentiate<1>(m, row);
-    add_equation(row, q, weight);
+    add_slopes(monomials(x, y), p, q, weight);
   }
+
+  // both
+  void add_position_and_slopes(const double x, const double y, const double z, const double weight,
+                               const double p, const double q, const double slope_weight)
+  {
+    const Monomials m = monomials(x, y);
+    add_positions(m, z, weight);
+    add_slopes(m, p, q, slope_weight);
+  }
+
+  // Adds `ridge` times the square of one coefficient.
+  void add_ridge_on_coefficient(const int i, const double ridge) { m_ridge[i] += ridge; }
 
   // Adds `ridge` times the squared norm of the terms of the given order. The monomials are
   // counted with the inverse of their binomial coefficient, which makes the norm, and so the
   // fit, independent of the directions of x and y.
   void add_ridge(const int order, const double ridge)
   {
-    const int first = order * (order + 1) / 2;
     double binomial = 1.;
     for(int j = 0; j <= order; ++j)
     {
-      m_matrix[first + j][first + j] += ridge / binomial;
+      m_ridge[monomial(order, j)] += ridge / binomial;
       binomial *= double(order - j) / double(j + 1);
     }
   }
 
   // Solves for the coefficients from `first` on, the ones before stay zero (1: through the
-  // origin). Returns the smallest pivot of the scaled matrix, which is in [0, 1]; zero or less
-  // means that the system was singular and the coefficients are not usable.
+  // origin). Returns the smallest pivot of the matrix scaled to a unit diagonal, which is in [0, 1];
+  // zero or less means that the system was singular and the coefficients are not usable. The matrix
+  // is not really scaled: its pivots L D L^T are those of the scaled one times its diagonal.
   double solve(const int first = 0)
   {
-    std::array<double, size> scale;
+    std::array<std::array<double, size>, size> a;             // lower triangle
+    std::array<double, size>& x = m_coefficients;
     for(int i = first; i < size; ++i)
     {
-      if(!(m_matrix[i][i] > 0.))
-        return 0.;
-      scale[i] = 1. / std::sqrt(m_matrix[i][i]);
-    }
-
-    // L D L^T in place
-    double smallest_pivot = 1.;
-    std::array<double, size> inverse_pivot, column;
-    for(int i = first; i < size; ++i)
-    {
-      std::array<double, size>& row = m_matrix[i];
       for(int j = first; j <= i; ++j)
-        row[j] *= scale[i] * scale[j];
-      for(int j = first; j < i; ++j)
       {
-        double sum = row[j];
-        for(int k = first; k < j; ++k)
-          sum -= column[k] * m_matrix[j][k];
-        column[j] = sum;
-        row[j] = sum * inverse_pivot[j];
+        const auto& e = table.matrix[i][j];
+        a[i][j] = m_moments[e.position] + e.factor_x * m_slope_moments[e.slope_x]
+                                        + e.factor_y * m_slope_moments[e.slope_y];
       }
-      double pivot = row[i];
-      for(int k = first; k < i; ++k)
-        pivot -= column[k] * row[k];
-      if(!(pivot > std::numeric_limits<double>::epsilon()))
-        return 0.;
-      smallest_pivot = pivot < smallest_pivot ? pivot : smallest_pivot;
-      inverse_pivot[i] = 1. / pivot;
+      a[i][i] += m_ridge[i];
+      x[i] = m_z[i] + table.rhs[i].factor_x * m_p[table.rhs[i].slope_x]
+                    + table.rhs[i].factor_y * m_q[table.rhs[i].slope_y];
     }
 
-    std::array<double, size>& a = m_coefficients;
+    std::array<double, size> diagonal, column;
     for(int i = first; i < size; ++i)
+      diagonal[i] = a[i][i];
+    double smallest_pivot = 1.;
+    for(int k = first; k < size; ++k)
     {
-      a[i] = m_rhs[i] * scale[i];
-      for(int k = first; k < i; ++k)
-        a[i] -= m_matrix[i][k] * a[k];
+      const double pivot = a[k][k];
+      if(!(pivot > std::numeric_limits<double>::epsilon() * diagonal[k]))
+        return 0.;
+      if(pivot < smallest_pivot * diagonal[k])
+        smallest_pivot = pivot / diagonal[k];
+      const double inverse = 1. / pivot;
+      for(int i = k + 1; i < size; ++i)
+        column[i] = a[i][k];
+      for(int i = k + 1; i < size; ++i)
+      {
+        const double factor = column[i] * inverse;
+        a[i][k] = factor;
+        x[i] -= factor * x[k];
+        for(int j = k + 1; j <= i; ++j)
+          a[i][j] -= factor * column[j];
+      }
+      x[k] *= inverse;
     }
-    for(int i = size - 1; i >= first; --i)
-    {
-      a[i] *= inverse_pivot[i];
-      for(int k = i + 1; k < size; ++k)
-        a[i] -= m_matrix[k][i] * a[k];
-    }
-    for(int i = first; i < size; ++i)
-      a[i] *= scale[i];
+    for(int k = size - 1; k > first; --k)
+      for(int i = first; i < k; ++i)
+        x[i] -= a[k][i] * x[k];
     return smallest_pivot;
   }
 
   double operator[](const int i) const { return m_coefficients[i]; }
 
 private:
-  static std::array<double, size> monomials(const double x, const double y)
+  typedef std::array<double, number_of_monomials(2 * Degree)> Monomials;
+
+  static Monomials monomials(const double x, const double y)
   {
-    std::array<double, size> m;
+    Monomials m;
     m[0] = 1.;
-    for(int order = 1, i = 1; order <= Degree; ++order)
+    for(int order = 1, i = 1; order <= 2 * Degree; ++order)
     {
       const int lower = i - order;
       for(int j = 0; j < order; ++j, ++i)
@@ -161,20 +191,24 @@ private:
     return m;
   }
 
-  // derivative with respect to x (Axis 0) or y (Axis 1) of all monomials at once:
-  // monomial j of an order is x^(order-j) y^j
-  template <int Axis>
-  static void differentiate(const std::array<double, size>& m, std::array<double, size>& row)
+  void add_positions(const Monomials& m, const double z, const double weight)
   {
-    row[0] = 0.;
-    for(int order = 1, i = 1; order <= Degree; ++order)
+    for(std::size_t i = 0; i < m_moments.size(); ++i)
+      m_moments[i] += weight * m[i];
+    const double weighted_z = weight * z;
+    for(std::size_t i = 0; i < m_z.size(); ++i)
+      m_z[i] += weighted_z * m[i];
+  }
+
+  void add_slopes(const Monomials& m, const double p, const double q, const double weight)
+  {
+    for(std::size_t i = 0; i < m_slope_moments.size(); ++i)
+      m_slope_moments[i] += weight * m[i];
+    const double weighted_p = weight * p, weighted_q = weight * q;
+    for(std::size_t i = 0; i < m_p.size(); ++i)
     {
-      const int lower = i - order;
-      for(int j = 0; j <= order; ++j, ++i)
-        if(Axis == 0)
-          row[i] = j < order ? (order - j) * m[lower + j] : 0.;
-        else
-          row[i] = j > 0 ? j * m[lower + j - 1] : 0.;
+      m_p[i] += weighted_p * m[i];
+      m_q[i] += weighted_q * m[i];
     }
   }
 };

@@ -30,12 +30,13 @@ struct Node
 };
 
 // Ridge on the terms of order three near a node. A cubic has ten coefficients; few neighbours on
-// one side determine it badly, and a large ridge turns it into a quadratic. Because the ridge is
-// blended over the face, the degree changes continuously.
-inline double soft_degree_ridge(const bool is_open, const int ring_size)
+// one side determine it badly, and a large ridge turns it into a quadratic. So does an apex, which
+// has no normal and near which nothing is smooth: measured on cones, cubics there are farther from
+// the surface by a third. Because the ridge is blended over the face, the degree changes continuously.
+inline double soft_degree_ridge(const bool is_singular, const bool is_open, const int ring_size)
 {
   constexpr double none = 1e-9, some = 1e-2, quadratic = 1.;
-  if(ring_size <= 3)
+  if(is_singular || ring_size <= 3)
     return quadratic;
   return is_open && ring_size == 4 ? some : none;
 }
@@ -56,7 +57,7 @@ inline std::vector<Node> make_nodes(const Indexed_triangles& surface,
     node.size /= ring.size();
     // all its neighbours coincide with it: there is no length to scale a fit with
     node.is_singular = node.is_singular || !(node.size > 0.);
-    node.cubic_ridge = soft_degree_ridge(cut_mesh.is_open(i), ring.size());
+    node.cubic_ridge = soft_degree_ridge(node.is_singular, cut_mesh.is_open(i), ring.size());
   }
   return nodes;
 }

@@ -158,16 +158,15 @@ private:
     for(int k = 0; k < 3; ++k)
     {
       const Node& corner = node(location.face, k);
+      cubic_ridge += location.coordinates[k] * corner.cubic_ridge;
       if(corner.is_singular)
         continue;
       weight += location.coordinates[k];
       size += location.coordinates[k] * corner.size;
-      cubic_ridge += location.coordinates[k] * corner.cubic_ridge;
     }
     if(!(weight > 0.))
       return result;                    // at an apex: the vertex itself
     result.size = size / weight;
-    cubic_ridge /= weight;
 
     switch(m_options.degree)
     {
@@ -194,11 +193,12 @@ private:
       total_weight += (std::min)(1., omega);
       const Vector d = (node.position - result.origin) / result.size;
       const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), z = d.dot(result.z_axis);
-      polynomial.add_position(x, y, z, (1. - t) * omega);
       const double nz = node.normal.dot(result.z_axis);
       if(nz > least_cosine)
-        polynomial.add_slopes(x, y, -node.normal.dot(result.x_axis) / nz,
-                              -node.normal.dot(result.y_axis) / nz, t * omega);
+        polynomial.add_position_and_slopes(x, y, z, (1. - t) * omega, -node.normal.dot(result.x_axis) / nz,
+                                           -node.normal.dot(result.y_axis) / nz, t * omega);
+      else
+        polynomial.add_position(x, y, z, (1. - t) * omega);
     }
     // the ridge is relative to the weight of the data, which changes continuously with the query
     polynomial.add_ridge(2, ridge * total_weight);

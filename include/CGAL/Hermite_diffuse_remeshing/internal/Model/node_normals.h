@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Local_polynomial.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_neighborhood.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
@@ -85,13 +86,27 @@ public:
       m_neighborhood.add_ring();
     const Node_frame frame(m_nodes[node].position, m_max_normals[node],
                            m_nodes[*m_cut_mesh.ring(node).begin()].position, m_nodes[node].size);
+    const double share = share_of_fit(frame.z_axis);
     Vector normal;
-    if(fit<4>(frame, normal) || fit<3>(frame, normal) || fit<2>(frame, normal))
-      return normal;
-    return m_max_normals[node];
+    if(share > 0. && (fit<4>(frame, normal) || fit<3>(frame, normal) || fit<2>(frame, normal)))
+      return (share * normal + (1. - share) * frame.z_axis).normalized();
+    return frame.z_axis;
   }
 
 private:
+  // A mesh can be too coarse for a polynomial over the neighbourhood. Where the normals there differ
+  // from the node's by 38 degrees (rms), a fit is as wrong as the Max normal on average, beyond it
+  // gets worse fast. From 32 to 45 degrees the fit gives way gradually, so that no rounding decides.
+  double share_of_fit(const Vector& normal) const
+  {
+    constexpr double all = 0.152, none = 0.293;        // 1 - cosine of these angles
+    double turn = 0.;
+    for(const int j : m_neighborhood.neighbors())
+      turn += 1. - normal.dot(m_max_normals[j]);
+    turn /= (std::max)(1, m_neighborhood.size());
+    return (std::min)(1., (std::max)(0., (none - turn) / (none - all)));
+  }
+
   template <int Degree>
   bool has_enough() const { return m_neighborhood.size() >= Local_polynomial<Degree>::size - 1 + surplus; }
 

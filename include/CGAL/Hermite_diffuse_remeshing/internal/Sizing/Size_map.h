@@ -71,6 +71,9 @@ class Size_map
   static constexpr double probe_distance = 0.4973;
   // a bisection halves a side: 48 of them in a row reach the rounding of the coordinates
   static constexpr int maximum_number_of_rounds = 48;
+  // Of the whole map, about 100 bytes each: an absurd size in a large face must not eat the memory.
+  // Where it is reached the sizes stay linear in the cells.
+  static constexpr int maximum_number_of_cells = 10000000;
 
 public:
   Size_map(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
@@ -112,7 +115,7 @@ public:
       bool is_refined = false;
       const int number_of_cells = m_cells.number_of_cells();
       for(int c = 0; c < number_of_cells; ++c)
-        if(m_cells.is_leaf(c) && is_too_coarse(c))
+        if(m_cells.is_leaf(c) && m_cells.number_of_cells() < maximum_number_of_cells && is_too_coarse(c))
         {
           const int k = longest_side(m_cells[c]);
           const int middle = middle_of_side(m_cells[c], k);
@@ -324,12 +327,14 @@ private:
     return (std::min)(m_scale * m_samples[sample].own_size, m_samples[sample].cap);
   }
 
-  // Do the sizes that were asked for differ more between two corners than the gradation allows?
+  // Do the user's sizes differ more between two corners than the gradation allows? The curvature's are
+  // not asked: they jump at every smooth junction of a flat and a round part, and what a fit says
+  // between two vertices there is no better known than at the vertices.
   bool is_jump(const Cell& cell) const
   {
     for(int k = 0; k < 3; ++k)
     {
-      const double a = asked_size(cell.samples[k]), b = asked_size(cell.samples[next(k)]);
+      const double a = m_samples[cell.samples[k]].user_size, b = m_samples[cell.samples[next(k)]].user_size;
       const double allowed = slope_of_gradation(m_sources.options().gradation) * side_length(cell, k);
       if(std::abs(a - b) > (1. + size_tolerance) * allowed + size_tolerance * (std::min)(a, b))
         return true;

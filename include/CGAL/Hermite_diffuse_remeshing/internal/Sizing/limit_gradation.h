@@ -61,6 +61,8 @@ template <typename PointOfIndex>
 void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
                      const double slope, std::vector<double>& sizes)
 {
+  // in slivers rounding would lower a size again and again by its last digit
+  constexpr double least_gain = 1e-9;
   std::vector<int> first(sizes.size() + 1, 0);
   for(const std::array<int, 3>& triangle : triangles)
     for(const int i : triangle)
@@ -95,7 +97,7 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
         const int other = triangle[next(k)] == i ? triangle[previous(k)] : triangle[next(k)];
         const double bound = bound_from_segment(point(i), point(other), sizes[i], sizes[other],
                                                 point(target), slope);
-        if(bound < sizes[target])
+        if(bound < (1. - least_gain) * sizes[target])
         {
           sizes[target] = bound;
           queue.push(Entry(bound, target));

@@ -30,6 +30,8 @@ class Remesher
   Working_mesh<UserMesh>& m_mesh;
   int m_maximum_number_of_iterations;
   int m_number_of_iterations = 0;
+  // changes of the mesh when an operator last began
+  std::size_t m_flipped_at = 0, m_balanced_at = 0, m_improved_at = 0, m_hinted_at = 0;
 
   // Edges between 1/band and band times their size are left alone. The paper's factor 2 comes first,
   // because the longest and shortest edges shape the rest; then sqrt(2), the tightest band in which
@@ -69,6 +71,20 @@ public:
   Stop_reason adapt_again() { return adapt_from(1); }
 
 private:
+  // runs an operator on what has changed since it ran last
+  template <typename Operator>
+  std::size_t since_last(std::size_t& last, const Operator& run)
+  {
+    const std::size_t since = last;
+    last = m_mesh.number_of_changes();
+    return run(since);
+  }
+
+  void update_hints()
+  {
+    since_last(m_hinted_at, [&](const std::size_t since) { m_mesh.update_hints(since); return 0; });
+  }
+
   Stop_reason adapt_from(const int first_iteration)
   {
     for(int i = first_iteration; i < first_iteration + m_maximum_number_of_iterations; ++i)
@@ -77,9 +93,9 @@ private:
       const double bound = band(i);
       std::size_t changes = split_long_edges(m_mesh, bound);
       changes += collapse_short_edges(m_mesh, 1. / bound, bound);
-      changes += flip_edges(m_mesh);
-      balance_vertices(m_mesh);
-      m_mesh.update_hints();
+      changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, since); });
+      since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
+      update_hints();
       m_mesh.report_progress(double(i + 1 - first_iteration) / m_maximum_number_of_iterations);
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;
@@ -97,8 +113,11 @@ public:
   {
     for(int i = 0; i < maximum_number_of_optimisation_passes; ++i)
     {
-      const std::size_t changes = flip_edges(m_mesh) + improve_vertices(m_mesh, satisfying_score);
-      m_mesh.update_hints();
+      std::size_t changes =
+        since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, since); });
+      changes += since_last(m_improved_at, [&](const std::size_t since)
+                            { return improve_vertices(m_mesh, satisfying_score, since); });
+      update_hints();
       m_mesh.report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;

@@ -68,6 +68,7 @@ public:
     Vertex_class type = SURFACE_VERTEX;
     int reference_vertex = -1;          // of a vertex that is still at its place in the input
     bool is_frozen = false;
+    std::size_t change = 0;             // the last change of the faces around it
   };
 
 private:
@@ -92,6 +93,7 @@ private:
   std::vector<char> m_is_reference_face_remeshed;
   std::size_t m_number_of_faces = 0;    // that are remeshed
   std::size_t m_maximum_number_of_faces;
+  std::size_t m_number_of_changes = 0;
   Operation_counts m_counts;
   bool m_is_stopped = false;
 
@@ -203,12 +205,12 @@ public:
     return first;
   }
 
-  // the vertices that may change their place, in the order of their numbers
-  std::vector<vertex_descriptor> movable_vertices() const
+  // the vertices that may change their place and have changed neighbours, in the order of their numbers
+  std::vector<vertex_descriptor> movable_vertices(const std::size_t since) const
   {
     std::vector<std::pair<int, vertex_descriptor> > numbered;
     for(const vertex_descriptor v : vertices(tmesh()))
-      if(index(v) != -1 && !is_fixed(v) && has_remeshed_face(v))
+      if(index(v) != -1 && has_changed(v, since) && !is_fixed(v) && has_remeshed_face(v))
         numbered.push_back(std::make_pair(index(v), v));
     std::sort(numbered.begin(), numbered.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -237,6 +239,21 @@ public:
     const Vertex& vertex = data(v);
     return vertex.site.curve == curve ? vertex.site.parameter
                                       : m_reference.end_parameter(curve, vertex.reference_vertex);
+  }
+
+  // \name Changes
+  // Changes are numbered. An operator that remembers how many there were when it began its last pass
+  // needs to look only at what has changed since.
+  std::size_t number_of_changes() const { return m_number_of_changes; }
+  bool has_changed(const vertex_descriptor v, const std::size_t since) const { return data(v).change > since; }
+  bool has_changed(const halfedge_descriptor h, const std::size_t since) const
+  {
+    return has_changed(source(h, tmesh()), since) || has_changed(target(h, tmesh()), since);
+  }
+  bool has_changed(const face_descriptor f, const std::size_t since) const
+  {
+    const halfedge_descriptor h = halfedge(f, tmesh());
+    return has_changed(h, since) || has_changed(target(next(h, tmesh()), tmesh()), since);
   }
 
   // \name Control
@@ -274,6 +291,7 @@ public:
     vertex.type = edge_data.curve == -1 ? SURFACE_VERTEX : CURVE_VERTEX;
     put(m_vertex_index, v, add_vertex(vertex));
     put_point(v, site.point);
+    touch_around(v);
     ++m_counts.splits;
     m_user.visitor.after_edge_split(v);
     return v;
@@ -307,6 +325,7 @@ public:
     m_free_vertices.push_back(removed);
     m_vertices[kept].site = site;
     put_point(v, site.point);
+    touch_around(v);
     ++m_counts.collapses;
     m_user.visitor.after_edge_collapse(v);
     return v;
@@ -316,6 +335,7 @@ public:
   {
     TriangleMesh& tm = m_user.tmesh;
     m_user.visitor.before_edge_flip(edge(h, tm));
+    touch_quadrangle(h);
     CGAL::Euler::flip_edge(h, tm);
     ++m_counts.flips;
     m_user.visitor.after_edge_flip(edge(h, tm));
@@ -325,6 +345,7 @@ public:
   {
     m_vertices[index(v)].site = site;
     put_point(v, site.point);
+    touch_around(v);
     ++m_counts.relocations;
     m_user.visitor.after_vertex_relocation(v);
   }
@@ -332,16 +353,22 @@ public:
   // the size map has changed
   void update_sizes()
   {
+    ++m_number_of_changes;
     for(Vertex& vertex : m_vertices)
-      if(vertex.site.location.face != -1)
-        vertex.site.size = m_reference.sizes(vertex.site.location);
+    {
+      const double size = m_reference.sizes(vertex.site.location);
+      if(size == vertex.site.size)
+        continue;
+      vertex.site.size = size;
+      vertex.change = m_number_of_changes;
+    }
   }
 
-  // remembers where on the reference a face lies, so that the next walk is short
-  void update_hints()
+  // remembers where on the reference the faces lie that have changed, so that the next walk is short
+  void update_hints(const std::size_t since)
   {
     for(const face_descriptor f : faces(tmesh()))
-      if(is_remeshed(f))
+      if(is_remeshed(f) && has_changed(f, since))
       {
         const halfedge_descriptor h = halfedge(f, tmesh());
         const Vector centroid = (point(source(h, tmesh())) + point(target(h, tmesh()))
@@ -351,6 +378,27 @@ public:
   }
 
 private:
+  void touch(const vertex_descriptor v) { m_vertices[index(v)].change = m_number_of_changes; }
+
+  void touch_around(const vertex_descriptor v)
+  {
+    ++m_number_of_changes;
+    touch(v);
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
+      touch(source(h, tmesh()));
+  }
+
+  // the two faces of an edge
+  void touch_quadrangle(const halfedge_descriptor h)
+  {
+    ++m_number_of_changes;
+    for(const halfedge_descriptor side : {h, opposite(h, tmesh())})
+    {
+      touch(target(side, tmesh()));
+      touch(target(next(side, tmesh()), tmesh()));
+    }
+  }
+
   bool has_remeshed_face(const vertex_descriptor v) const
   {
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
@@ -366,6 +414,7 @@ private:
     vertex.site = m_reference.vertex_site(face, corner);
     vertex.type = m_reference.vertex_classes[v];
     vertex.reference_vertex = v;
+    vertex.change = m_number_of_changes = 1;
     return add_vertex(vertex);
   }
 

@@ -43,14 +43,15 @@ bool is_flip_legal(const Working_mesh<UserMesh>& mesh,
   return score(reference, mesh.point(d), b, mesh.point(c), mesh.hint(o)) > before + score_margin;
 }
 
-// One pass over all edges, the relatively longest first.
+// One pass over the edges with changes around them, the relatively longest first.
 template <typename UserMesh>
-std::size_t flip_edges(Working_mesh<UserMesh>& mesh)
+std::size_t flip_edges(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   const std::size_t before = mesh.counts().flips;
   for(const auto& candidate : collect_edges(mesh, 1, [&](const halfedge_descriptor h, double)
-                                            { return !mesh.is_on_curve(h) && !mesh.is_protected(h); }))
+                                            { return mesh.has_changed(h, since) && !mesh.is_on_curve(h)
+                                                     && !mesh.is_protected(h); }))
   {
     if(mesh.is_stopped())
       break;

@@ -76,10 +76,10 @@ Site balanced_site(const Working_mesh<UserMesh>& mesh,
 // One sweep: each vertex goes to its balanced place, or half or a quarter of the way, if the worst
 // score around it does not fall below the floor or below what it was.
 template <typename UserMesh>
-std::size_t balance_vertices(Working_mesh<UserMesh>& mesh)
+std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   const std::size_t before = mesh.counts().relocations;
-  for(const auto v : mesh.movable_vertices())
+  for(const auto v : mesh.movable_vertices(since))
   {
     if(mesh.is_stopped())
       break;
@@ -131,10 +131,10 @@ void visit_pattern(const Working_mesh<UserMesh>& mesh,
 // Pattern search for the place with the best worst score (paper, section 4.5). Only vertices with a
 // face below `target_score` are looked at; the worst score around a vertex never falls.
 template <typename UserMesh>
-std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const double target_score)
+std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const double target_score, const std::size_t since)
 {
   const std::size_t before = mesh.counts().relocations;
-  for(const auto v : mesh.movable_vertices())
+  for(const auto v : mesh.movable_vertices(since))
   {
     if(mesh.is_stopped())
       break;

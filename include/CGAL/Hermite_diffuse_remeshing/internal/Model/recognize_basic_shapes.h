@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_RECOGNIZE_BASIC_SHAPES_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_RECOGNIZE_BASIC_SHAPES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_curvature_fitter.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/fit_basic_shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Splits a surface into regions that are basic surfaces, the simplest type first, and connected rests.
+// A region grows from the neighbourhood of a node, from face to face and never across a feature, as
+// long as the corners of the faces are on the shape, which is then fitted again to all of them.
+class Shape_recognizer
+{
+  const Reference_surface& m_surface;
+  const double m_tolerance;
+  Node_curvature_fitter m_curvature;
+  Node_neighborhood m_neighborhood;
+  std::vector<int> m_region;                       // of a face, or -1
+  std::vector<int> m_visit;                        // the growth that saw a face last
+  int m_number_of_visits = 0;
+  std::vector<Basic_shape> m_shapes;
+
+  // Part of h^2 k that a corner may be off a curved shape; the facets are off by an eighth. A surface
+  // that is tangent but differs in curvature by a hundredth is told apart at the first edge.
+  static constexpr double part_of_sagitta = 2e-3;
+
+public:
+  // `tolerance` is the distance that roundings of the coordinates make
+  Shape_recognizer(const Reference_surface& surface, const double tolerance)
+    : m_surface(surface), m_tolerance(tolerance), m_curvature(surface),
+      m_neighborhood(surface.cut_mesh(), surface.nodes()),
+      m_region(surface.triangles().number_of_faces(), -1), m_visit(m_region.size(), 0)
+  {}
+
+  // fills `regions()` and `shapes()`
+  void operator()()
+  {
+    const Basic_surface_type types[] = {PLANE_SURFACE, SPHERE_SURFACE, CYLINDER_SURFACE, CONE_SURFACE, TORUS_SURFACE};
+    // two rings determine a shape better, one may be all there is on a narrow fillet
+    for(const Basic_surface_type type : types)
+      for(int i = 0; i < m_surface.cut_mesh().number_of_nodes(); ++i)
+        for(const int rings : {2, 1})
+          for(const int c : m_surface.cut_mesh().corners(i))
+            if(m_region[c / 3] == -1)
+            {
+              start(type, c / 3, i, rings);
+              break;
+            }
+    for(int f = 0; f < int(m_region.size()); ++f)
+      if(m_region[f] == -1)
+        collect_rest(f);
+  }
+
+  const std::vector<int>& regions() const { return m_region; }
+  const std::vector<Basic_shape>& shapes() const { return m_shapes; }
+
+private:
+  bool is_on(const Basic_shape& shape, const int node) const
+  {
+    const Node& n = m_surface.node(node);
+    const double h = n.size;
+    return std::abs(shape.distance(n.position))
+        <= (std::max)(m_tolerance, part_of_sagitta * h * h * shape.curvature(n.position));
+  }
+
+  bool is_face_on(const Basic_shape& shape, const int f) const
+  {
+    // the same surface, not one that it cuts
+    constexpr double least_cosine = 0.7;
+    const Indexed_triangles& triangles = m_surface.triangles();
+    const Vector n = triangles.area_vector(f).stableNormalized();
+    for(int k = 0; k < 3; ++k)
+      if(!is_on(shape, m_surface.cut_mesh().node(f, k)))
+        return false;
+    Vector normal;
+    shape.distance((triangles.point(f, 0) + triangles.point(f, 1) + triangles.point(f, 2)) / 3., normal);
+    return n == Vector::Zero() || std::abs(n.dot(normal)) >= least_cosine;
+  }
+
+  void start(const Basic_surface_type type, const int f, const int node, const int rings)
+  {
+    if(!m_surface.node(node).has_normal())
+      return;
+    m_neighborhood.collect(node, rings);
+    std::vector<Vector> points(1, m_surface.node(node).position), normals(1, m_surface.node(node).normal);
+    std::vector<int> nodes(1, node);
+    for(const int j : m_neighborhood.neighbors())
+      if(m_surface.node(j).has_normal())
+      {
+        nodes.push_back(j);
+        points.push_back(m_surface.node(j).position);
+        normals.push_back(m_surface.node(j).normal);
+      }
+    Principal_curvatures curvatures;
+    if(type == TORUS_SURFACE)
+      curvatures = m_curvature(node).principal_curvatures();
+    for(int hypothesis = 0; hypothesis < (type == TORUS_SURFACE ? 2 : 1); ++hypothesis)
+    {
+      Basic_shape shape;
+      if(!fit_basic_shape(type, points, normals, curvatures, hypothesis, shape)
+         || int(points.size()) < shape.degrees_of_freedom()
+         || !std::all_of(nodes.begin(), nodes.end(), [&](const int i) { return is_on(shape, i); })
+         || !is_face_on(shape, f))
+        continue;
+      if(accept(shape, f))
+        return;
+    }
+  }
+
+  // grows and refits until nothing is added
+  bool accept(Basic_shape shape, const int f)
+  {
+    constexpr int maximum_number_of_rounds = 8;
+    std::vector<int> faces, nodes;
+    for(int round = 0; round < maximum_number_of_rounds; ++round)
+    {
+      const std::size_t number_before = faces.size();
+      bool is_whole_patch;
+      grow(shape, f, faces, nodes, is_whole_patch);
+      // points enough to prove the shape, unless it is all there is
+      const int spare = is_whole_patch || shape.type == PLANE_SURFACE ? 0 : 8;
+      if(faces.empty() || int(nodes.size()) < shape.degrees_of_freedom() + spare)
+        return false;
+      if(faces.size() <= number_before)
+        break;
+      std::vector<Vector> points;
+      for(const int i : nodes)
+        points.push_back(m_surface.node(i).position);
+      Basic_shape refined = shape;
+      if(!refined.refine(points) || !is_face_on(refined, f))
+        break;
+      shape = refined;
+    }
+    for(const int g : faces)
+      m_region[g] = int(m_shapes.size());
+    m_shapes.push_back(shape);
+    return true;
+  }
+
+  void grow(const Basic_shape& shape, const int seed, std::vector<int>& faces, std::vector<int>& nodes,
+            bool& is_whole_patch)
+  {
+    const Cut_mesh& cut_mesh = m_surface.cut_mesh();
+    ++m_number_of_visits;
+    faces.assign(1, seed);
+    nodes.clear();
+    m_visit[seed] = m_number_of_visits;
+    is_whole_patch = true;
+    for(std::size_t i = 0; i < faces.size(); ++i)
+      for(int k = 0; k < 3; ++k)
+      {
+        nodes.push_back(cut_mesh.node(faces[i], k));
+        const int g = cut_mesh.neighbor(faces[i], k);
+        if(g == -1 || m_visit[g] == m_number_of_visits)
+          continue;
+        if(m_region[g] == -1 && is_face_on(shape, g))
+        {
+          m_visit[g] = m_number_of_visits;
+          faces.push_back(g);
+        }
+        else
+          is_whole_patch = false;
+      }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+
+  void collect_rest(const int seed)
+  {
+    std::vector<int> stack(1, seed);
+    m_region[seed] = int(m_shapes.size());
+    while(!stack.empty())
+    {
+      const int f = stack.back();
+      stack.pop_back();
+      for(int k = 0; k < 3; ++k)
+      {
+        const int g = m_surface.cut_mesh().neighbor(f, k);
+        if(g == -1 || m_region[g] != -1)
+          continue;
+        m_region[g] = m_region[seed];
+        stack.push_back(g);
+      }
+    }
+    m_shapes.push_back(Basic_shape());
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_RECOGNIZE_BASIC_SHAPES_H

@@ -1,0 +1,134 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CLASSIFY_FACES_H
+#define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CLASSIFY_FACES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Basic_surface.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/recognize_basic_shapes.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
+#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
+
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * splits a triangle mesh into connected regions that lie on planes, spheres, cylinders, cones and tori, and
+ * the rest. Regions end at features and where the surface leaves the shape, even if it does so
+ * tangentially, as between a face and its fillet. The simplest shape that fits is chosen.
+ *
+ * Meant for meshes whose vertices lie on the surfaces, such as tessellations of CAD models: a vertex
+ * belongs to a curved surface if it is closer to it than a small part of the height of the
+ * facets, 0.002 of the squared edge length times the curvature, or than `maximum_deviation`.
+ *
+ * Takes time proportional to the number of faces for each shape, but for a logarithmic factor.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam FaceLabelMap a model of `WritablePropertyMap` with key type
+ *         `boost::graph_traits<TriangleMesh>::%face_descriptor` and value type `std::size_t`
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * @param tmesh the mesh
+ * @param face_label_map output: the rank of a face's region in the returned vector
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{maximum_deviation}
+ *     \cgalParamDescription{distance of a vertex to a surface that it belongs to in any case: how far the
+ *       coordinates are rounded}
+ *     \cgalParamType{`double`, a length, at least 0}
+ *     \cgalParamDefault{1e-6 of the diameter of the mesh, enough for coordinates in single precision}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map,
+ *     vertex_is_constrained_map, face_patch_map, normal_estimation, vertex_normal_map}
+ *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_curvatures()`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{the points of the vertices}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type `GT::Point_3`}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a model of `HermiteDiffuseRemeshingTraits`}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * @return a `std::vector` of `CGAL::Hermite_diffuse_remeshing::Basic_surface<GT>`, one per region
+ *
+ * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
+ *        that is not finite, or if a parameter is out of its range
+ *
+ * @sa `hermite_diffuse_curvatures()`
+ */
+template <typename TriangleMesh, typename FaceLabelMap, typename NamedParameters = parameters::Default_named_parameters>
+auto hermite_diffuse_classify_faces(const TriangleMesh& tmesh, const FaceLabelMap face_label_map,
+                                    const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using namespace CGAL::Hermite_diffuse_remeshing::internal;
+  const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
+  typedef typename GT::FT FT;
+  static_assert(std::is_floating_point<FT>::value,
+                "hermite_diffuse_classify_faces() needs a kernel with floating point coordinates");
+
+  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
+  const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, tmesh));
+  std::vector<typename Graph_traits::face_descriptor> face_descriptors;
+  const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
+  constexpr double rounding = 1e-6;
+  const double tolerance = choose_parameter(get_parameter(pack, internal_np::maximum_deviation),
+                                            rounding * model_diameter(triangles));
+  check_parameter("maximum_deviation", tolerance, 0., (std::numeric_limits<double>::max)());
+  const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
+  const std::unique_ptr<Input_model> model =
+    read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack);
+
+  Shape_recognizer recognize(model->surface, tolerance);
+  recognize();
+  const auto point = gt.construct_point_3_object();
+  const auto vector = gt.construct_vector_3_object();
+  std::vector<Hermite_diffuse_remeshing::Basic_surface<GT> > result;
+  for(const Basic_shape& shape : recognize.shapes())
+  {
+    Hermite_diffuse_remeshing::Basic_surface<GT> surface;
+    surface.type = shape.type;
+    surface.point = point(FT(shape.point[0]), FT(shape.point[1]), FT(shape.point[2]));
+    surface.direction = vector(FT(shape.direction[0]), FT(shape.direction[1]), FT(shape.direction[2]));
+    surface.radius = FT(shape.radius);
+    surface.tube_radius = FT(shape.tube_radius);
+    surface.half_angle = FT(shape.half_angle);
+    result.push_back(surface);
+  }
+  for(std::size_t f = 0; f < face_descriptors.size(); ++f)
+  {
+    const std::size_t label = std::size_t(recognize.regions()[f]);
+    put(face_label_map, face_descriptors[f], label);
+    ++result[label].number_of_faces;
+  }
+  return result;
+}
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CLASSIFY_FACES_H
