@@ -91,7 +91,8 @@ void test_orders()
       a[k] = measure(*make_model(indexed(s[i].mesh(sizes[k], 1))), s[i]);
     const double ratio = std::log(a[0].h / a[1].h);
     // positions are measured relative to h: one order is added
-    ok = is_at_least(s[i].name + ", order of position", 1. + std::log(a[0].position / a[1].position) / ratio, 3.5) && ok;
+    ok = is_at_least(s[i].name + ", order of position",
+                     1. + std::log(a[0].position / a[1].position) / ratio, 3.5) && ok;
     ok = is_at_least(s[i].name + ", order of curvature",
                      std::log(a[0].curvature_median / a[1].curvature_median) / ratio, 1.85) && ok;
   }
@@ -275,7 +276,8 @@ void test_invariance()
   struct Case { double scale; Eigen::Matrix3d rotation; Vector shift; double tolerance; };
   const Vector none = Vector::Zero();
   // a shift costs the digits of the coordinates that it uses up
-  const Case cases[] = {{1000., Eigen::Matrix3d::Identity(), none, 1e-12}, {1e-6, Eigen::Matrix3d::Identity(), none, 1e-12},
+  const Case cases[] = {{1000., Eigen::Matrix3d::Identity(), none, 1e-12},
+                        {1e-6, Eigen::Matrix3d::Identity(), none, 1e-12},
                         {1., turn, none, 1e-11}, {1., Eigen::Matrix3d::Identity(), Vector(10., -20., 5.), 1e-10}};
   for(const Case& c : cases)
   {
