@@ -4,7 +4,9 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Background_size_fields.h>
 #include <CGAL/Hermite_diffuse_remeshing/Size_fields.h>
+#include <CGAL/Hermite_diffuse_remeshing/sizes_from_errors.h>
 #include <CGAL/Hermite_diffuse_size_map.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <algorithm>
 #include <limits>
@@ -177,8 +179,69 @@ void test_reading()
   assert(is_changed);
 }
 
+// errors of elements to sizes and back
+void test_sizes_from_errors()
+{
+  Surface_mesh mesh = square(20);
+  auto errors = mesh.add_property_map<face_descriptor, double>("f:error").first;
+  auto sizes = mesh.add_property_map<vertex_descriptor, double>("v:asked").first;
+  const HDR::Vertex_size_field<Surface_mesh, decltype(sizes)> field(mesh, sizes);
+  const double order = 1.;
+  // the error of linear elements for a solution with the second derivative g
+  const auto error_at = [&](const face_descriptor f, const double g)
+  {
+    const double area = PMP::face_area(f, mesh);
+    return g * std::sqrt(4. / std::sqrt(3.) * area) * std::sqrt(area);
+  };
+  for(const face_descriptor f : faces(mesh))
+    errors[f] = error_at(f, 1.);
+  // a constant density of error: the same size everywhere
+  HDR::sizes_for_number_of_elements(mesh, errors, order, 5000., sizes);
+  for(const vertex_descriptor v : vertices(mesh))
+    assert(is_close(sizes[v], std::sqrt(4. / std::sqrt(3.) / 5000.), 1e-6));
+  assert(is_close(Size_map(mesh, only(field)).predicted_number_of_faces(), 5000., 1e-6));
+  // the error is the size: for g = 1 on the area 1
+  HDR::sizes_for_error(mesh, errors, order, 0.03, sizes);
+  for(const vertex_descriptor v : vertices(mesh))
+    assert(is_close(sizes[v], 0.03, 1e-6));
+  // the size goes with the root of the derivative
+  const auto is_right = [&](const face_descriptor f)
+  { return mesh.point(source(halfedge(f, mesh), mesh)).x() > 0.5; };
+  for(const face_descriptor f : faces(mesh))
+    errors[f] = error_at(f, is_right(f) ? 4. : 1.);
+  HDR::sizes_for_number_of_elements(mesh, errors, order, 5000., sizes);
+  double left = 0., right = 0.;
+  for(const vertex_descriptor v : vertices(mesh))
+    if(mesh.point(v).x() < 0.3)
+      left = sizes[v];
+    else if(mesh.point(v).x() > 0.7)
+      right = sizes[v];
+  assert(is_close(left / right, 2., 1e-6));
+  assert(is_close(Size_map(mesh, only(field)).predicted_number_of_faces(), 5000., 0.1));
+  // no error anywhere: no wish
+  for(const face_descriptor f : faces(mesh))
+    errors[f] = 0.;
+  HDR::sizes_for_number_of_elements(mesh, errors, order, 5000., sizes);
+  assert(Size_map(mesh, only(field)).size(Point_3(0.5, 0.5, 0.)) == 0.25);
+
+  int refusals = 0;
+  const auto expect_refusal = [&](const double p, const double number)
+  {
+    try { HDR::sizes_for_number_of_elements(mesh, errors, p, number, sizes); }
+    catch(const std::invalid_argument&) { ++refusals; }
+  };
+  expect_refusal(0., 100.);
+  expect_refusal(1., 0.);
+  errors[*faces(mesh).begin()] = -1.;
+  expect_refusal(1., 100.);
+  errors[*faces(mesh).begin()] = std::numeric_limits<double>::quiet_NaN();
+  expect_refusal(1., 100.);
+  assert(refusals == 4);
+}
+
 int main()
 {
+  test_sizes_from_errors();
   test_models();
   test_feature_inside_face();
   test_prediction_and_budget();

@@ -162,8 +162,10 @@ public:
    * @tparam VertexSizeMap a model of `ReadablePropertyMap` with key type `vertex_descriptor` and a value type
    *         convertible to `double`
    *
+   * Where a size is infinite, and in the faces around, there is no wish.
+   *
    * \throw std::invalid_argument if the background has no face, a face that is not a triangle, a coordinate
-   *        that is not finite, or a size that is not larger than 0 or not finite
+   *        that is not finite, or a size that is not larger than 0
    */
   template <typename TriangleMesh, typename VertexSizeMap>
   Background_size_field(const TriangleMesh& background, const VertexSizeMap& sizes,
@@ -177,9 +179,9 @@ public:
     for(const auto v : vertices(background))
     {
       const double size = CGAL::to_double(get(sizes, v));
-      if(!(size > 0.) || !std::isfinite(size))
+      if(!(size > 0.))
         internal::refuse("the size of vertex " + std::to_string(data->sizes.size()), size,
-                         "it must be finite and larger than zero");
+                         "it must be larger than zero");
       data->sizes.push_back(size);
     }
     data->tree.reset(new internal::Triangle_tree(data->triangles));
@@ -199,7 +201,9 @@ public:
                                                                   triangles.point(f, 2), closest.second);
     double size = 0.;
     for(int k = 0; k < 3; ++k)
-      size += l[k] * m_data->sizes[triangles.triangles[f][k]];
+      // an infinite size at another vertex must not spoil the result
+      if(l[k] > 0.)
+        size += l[k] * m_data->sizes[triangles.triangles[f][k]];
     return size;
   }
 };
