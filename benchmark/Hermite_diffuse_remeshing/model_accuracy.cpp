@@ -190,7 +190,8 @@ void print_curvatures(const int number_of_faces)
     faster += r.at("VF4").microseconds < r.at("jet 4, 2 rings").microseconds / 10.;
   }
   std::printf("of %d surfaces, default better than both jets of degree 2: %d in median, %d in 95 %%\n"
-              "VF4 within a factor 2.5 of jets of degree 4 in median: %d, better in maximum: %d, ten times faster: %d\n",
+              "VF4 within a factor 2.5 of jets of degree 4 in median: %d, better in maximum: %d, "
+              "ten times faster: %d\n",
               int(surfaces.size()), median_won, p95_won, within_factor, maximum_won, faster);
 }
 

@@ -122,6 +122,7 @@ public:
       put(m_rank, m_faces[i], static_cast<int>(i));
     const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
     m_model = read_model(tmesh, triangles, vertex_descriptors, m_faces, m_traits, pack);
+    m_model->keep_surface_only();
   }
 
   /// \name Evaluation

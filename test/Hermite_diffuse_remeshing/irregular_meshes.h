@@ -475,7 +475,8 @@ inline Test_surface ellipsoid()
 {
   const Point axes = {{1., 2., 3.}};
   return {"ellipsoid", axes[2] / (axes[0] * axes[0]), detail::icosphere(),
-          [=](const Point& q, const Parameter_mesh&) { return Point{{axes[0] * q[0], axes[1] * q[1], axes[2] * q[2]}}; },
+          [=](const Point& q, const Parameter_mesh&)
+          { return Point{{axes[0] * q[0], axes[1] * q[1], axes[2] * q[2]}}; },
           [=](const Point& p) { return detail::ellipsoid_truth(p, axes); }};
 }
 
@@ -513,7 +514,8 @@ inline Test_surface graph(const std::string& name, const double half_side, const
 
 inline Test_surface sin_cos(const double stretch = 1.)
 {
-  return graph(stretch == 1. ? "sin x cos y" : "sin x cos y stretched", pi, stretch, 1., [](const double x, const double y)
+  const std::string name = stretch == 1. ? "sin x cos y" : "sin x cos y stretched";
+  return graph(name, pi, stretch, 1., [](const double x, const double y)
   {
     const double sx = std::sin(x), cx = std::cos(x), sy = std::sin(y), cy = std::cos(y);
     return detail::Jet{{sx * cy, cx * cy, -sx * sy, -sx * cy, -cx * sy, -sx * cy}};

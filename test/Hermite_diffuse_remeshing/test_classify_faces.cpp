@@ -52,7 +52,8 @@ Labels classify(Mesh& mesh)
 }
 
 // part of the area whose type is the expected one
-double right_part(const Mesh& mesh, const Labels& labels, const std::function<Basic_surface_type(Mesh::Face_index)>& expected)
+double right_part(const Mesh& mesh, const Labels& labels,
+                  const std::function<Basic_surface_type(Mesh::Face_index)>& expected)
 {
   double right = 0., all = 0.;
   for(const auto f : mesh.faces())
@@ -103,7 +104,8 @@ void test_fillets(const int columns, const double rounding)
   analytic::Triangles t;
   std::vector<Basic_surface_type> expected;
   int row = 0;
-  const auto add_row = [&](const std::function<std::array<double, 2>(double)>& at, const double first, const double amplitude)
+  const auto add_row = [&](const std::function<std::array<double, 2>(double)>& at, const double first,
+                           const double amplitude)
   {
     for(int i = 0; i < columns; ++i)
     {
@@ -171,7 +173,8 @@ void test_fillets(const int columns, const double rounding)
     else if(s.type == TORUS_SURFACE)
     {
       ++tori;
-      assert((is_near(s.radius, 0.7) && is_near(s.tube_radius, 0.3)) || (is_near(s.radius, 0.5) && is_near(s.tube_radius, 0.5)));
+      assert((is_near(s.radius, 0.7) && is_near(s.tube_radius, 0.3))
+             || (is_near(s.radius, 0.5) && is_near(s.tube_radius, 0.5)));
     }
     if(s.type == CYLINDER_SURFACE || s.type == CONE_SURFACE || s.type == TORUS_SURFACE)
       assert(std::abs(s.direction * Kernel::Vector_3(-0.8, 0., 0.6)) > 0.9999);

@@ -21,7 +21,8 @@ void test_coarse_meshes()
 {
   constexpr double noticeable = 1.01;
   bool ok = true;
-  for(const analytic::Test_surface& s : {analytic::torus(), analytic::torus(6.), analytic::sin_cos(), analytic::cylinder()})
+  for(const analytic::Test_surface& s : {analytic::torus(), analytic::torus(6.), analytic::sin_cos(),
+                                        analytic::cylinder()})
     for(const int number_of_faces : {250, 500, 1000})
     {
       Accuracy fitted, maximum;
@@ -51,7 +52,8 @@ void test_coarse_meshes()
 void test_apices()
 {
   const double slope = 0.9;
-  const analytic::Test_surface cone = analytic::graph("cone with its tip", 1., 1., 1., [=](const double x, const double y)
+  const analytic::Test_surface cone = analytic::graph("cone with its tip", 1., 1., 1.,
+                                                      [=](const double x, const double y)
   { return analytic::detail::Jet{{1. - slope * std::hypot(x, y), 0., 0., 0., 0., 0.}}; });
   const auto distance = [&](const Vector& p)
   { return (p - vector(analytic::detail::cone_truth(point(p), 1. / slope, -1. / slope).point)).norm(); };
@@ -113,9 +115,12 @@ void test_apices()
 void test_rounded_coordinates()
 {
   struct Case { analytic::Test_surface surface; double shift, median, p95, position; };
-  const Case cases[] = {{analytic::torus(), 100., 0.023, 0.04, 3.0e-4}, {analytic::sin_cos(), 100., 0.0055, 0.013, 4.7e-5},
-                        {analytic::cylinder(), 100., 0.003, 0.005, 4e-5}, {analytic::torus(), 1000., 0.023, 0.04, 6e-4},
-                        {analytic::sin_cos(), 1000., 0.01, 0.03, 3e-4}, {analytic::cylinder(), 1000., 0.01, 0.03, 4e-4}};
+  const Case cases[] = {{analytic::torus(), 100., 0.023, 0.04, 3.0e-4},
+                        {analytic::sin_cos(), 100., 0.0055, 0.013, 4.7e-5},
+                        {analytic::cylinder(), 100., 0.003, 0.005, 4e-5},
+                        {analytic::torus(), 1000., 0.023, 0.04, 6e-4},
+                        {analytic::sin_cos(), 1000., 0.01, 0.03, 3e-4},
+                        {analytic::cylinder(), 1000., 0.01, 0.03, 4e-4}};
   bool ok = true;
   for(const Case& c : cases)
   {
@@ -138,7 +143,8 @@ void test_strips()
 {
   struct Case { int sides; double height, closer, curvature; };
   bool ok = true;
-  for(const Case& c : {Case{16, 2., 20., 0.1}, Case{64, 2., 400., 0.007}, Case{64, 0.01, 20., 0.1}, Case{360, 100., 100., 0.02}})
+  for(const Case& c : {Case{16, 2., 20., 0.1}, Case{64, 2., 400., 0.007}, Case{64, 0.01, 20., 0.1},
+                       Case{360, 100., 100., 0.02}})
   {
     Indexed_triangles t;
     for(const double z : {0., c.height})

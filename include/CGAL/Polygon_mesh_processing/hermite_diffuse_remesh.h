@@ -13,7 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
@@ -242,6 +242,18 @@ namespace Polygon_mesh_processing {
  *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Normal_estimation`}
  *     \cgalParamDefault{`FITTED_NORMALS`}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{surface_model}
+ *     \cgalParamDescription{the preset of the model: the one described above, or the paper's own form}
+ *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Surface_model`}
+ *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::CONTINUOUS_MODEL`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_normal_map}
+ *     \cgalParamDescription{normals that the user knows; they replace the estimated ones. A zero vector means
+ *       unknown.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type
+ *       `GeomTraits::Vector_3`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
  *     \cgalParamDescription{upper bound of the passes of the adaptation, which ends by itself when nothing is
  *       left to do}
@@ -336,11 +348,8 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
     Static_boolean_property_map<edge_descriptor, false> >::type ECM;
   typedef typename internal_np::Lookup_named_param_def<internal_np::face_patch_t, Pack,
     Constant_property_map<face_descriptor, int> >::type FPM;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::vertex_is_constrained_t, Pack,
-    Static_boolean_property_map<vertex_descriptor, false> >::type VCM;
   const ECM ecm = choose_parameter<ECM>(get_parameter(pack, internal_np::edge_is_constrained));
   const FPM fpm = choose_parameter<FPM>(get_parameter(pack, internal_np::face_patch));
-  const VCM vcm = choose_parameter<VCM>(get_parameter(pack, internal_np::vertex_is_constrained));
   const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
 
   typedef Default_remeshing_visitor<TriangleMesh> Default_visitor;
@@ -351,8 +360,6 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
 
   // everything is read and checked before the first change
-  const Feature_options feature_options = read_feature_options(pack);
-  const Model_options model_options = read_model_options(pack);
   const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
   check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
   const std::size_t maximum_number_of_faces =
@@ -372,11 +379,7 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
   std::unique_ptr<Input_model> model;
   stage("model", [&]
-  {
-    const Is_user_edge<TriangleMesh, ECM, FPM> is_user_edge{tmesh, face_descriptors, ecm, fpm};
-    model.reset(new Input_model(triangles, feature_options, model_options, is_user_edge,
-                                [&](const int v) { return get(vcm, vertex_descriptors[v]); }));
-  });
+  { model = read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack); });
 
   auto face_rank = get(CGAL::dynamic_face_property_t<int>(), tmesh);
   for(std::size_t i = 0; i < face_descriptors.size(); ++i)

@@ -22,7 +22,8 @@ namespace internal {
 // Unit normals that the user gives for vertices, zero where he gives none; no vector at all without
 // the parameter.
 template <typename GeomTraits, typename VertexRange, typename Pack>
-std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, const GeomTraits& traits, const Pack& pack)
+std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, const GeomTraits& traits,
+                                        const Pack& pack)
 {
   std::vector<Vector> normals;
   if constexpr(!parameters::is_default_parameter<Pack, internal_np::vertex_normal_map_t>::value)

@@ -47,6 +47,15 @@ struct Input_model
     , locator(surface)
   {}
 
+  // gives up what only a remeshing needs, a third of the memory
+  void keep_surface_only()
+  {
+    edges = Edge_table(Indexed_triangles());
+    edge_classes = std::vector<Edge_class>();
+    vertex_classes = std::vector<Vertex_class>();
+    curves = Feature_curves();
+  }
+
   Input_model(const Input_model&) = delete;             // the locator refers to the surface
   Input_model& operator=(const Input_model&) = delete;
 

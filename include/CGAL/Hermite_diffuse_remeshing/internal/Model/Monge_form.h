@@ -53,32 +53,35 @@ struct Monge_form
   // maximum and minimum of the normal curvature
   std::pair<double, double> curvatures() const
   {
-    const double h = mean_curvature();
-    const double root = std::sqrt((std::max)(0., h * h - gaussian_curvature()));
-    return std::make_pair(h + root, h - root);
+    const Second_form f = second_form();
+    const double mean = (f.a + f.c) / 2., difference = std::hypot((f.a - f.c) / 2., f.b);
+    return std::make_pair(mean + difference, mean - difference);
   }
 
   Principal_curvatures principal_curvatures() const
   {
     Principal_curvatures result;
     std::tie(result.maximum, result.minimum) = curvatures();
-
-    // Directions: generalised eigenvectors of the second form with respect to the first. In an
-    // orthonormal basis of the tangent plane this is an ordinary symmetric problem.
+    const Second_form f = second_form();
     const Vector n = normal();
     const Vector e1 = (x_axis + p * z_axis).normalized();
     const Vector e2 = n.cross(e1);
-    const double g = std::sqrt(1. + p * p + q * q);
-    const auto second_form = [&](const Vector& v, const Vector& w)
-    {
-      const double vx = v.dot(x_axis), vy = v.dot(y_axis), wx = w.dot(x_axis), wy = w.dot(y_axis);
-      return (r * vx * wx + s * (vx * wy + vy * wx) + u * vy * wy) / g;
-    };
-    const double a = second_form(e1, e1), b = second_form(e1, e2), c = second_form(e2, e2);
-    const double angle = 0.5 * std::atan2(2. * b, a - c);
+    const double angle = 0.5 * std::atan2(2. * f.b, f.a - f.c);
     result.maximum_direction = std::cos(angle) * e1 + std::sin(angle) * e2;
     result.minimum_direction = n.cross(result.maximum_direction);
     return result;
+  }
+
+private:
+  // The second fundamental form in the orthonormal basis e1, e2 of the tangent plane, where the principal
+  // curvatures are the eigenvalues of a symmetric matrix. They follow from it without the
+  // cancellation of H^2 - K, which costs half of the digits where they are equal.
+  struct Second_form { double a, b, c; };
+
+  Second_form second_form() const
+  {
+    const double w = 1. + p * p, g2 = w + q * q, g = std::sqrt(g2), m = p * q;
+    return {r / (w * g), (s * w - r * m) / (w * g2), (r * m * m - 2. * s * m * w + u * w * w) / (w * g2 * g)};
   }
 };
 

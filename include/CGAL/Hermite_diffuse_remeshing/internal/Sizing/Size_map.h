@@ -73,7 +73,7 @@ class Size_map
   static constexpr int maximum_number_of_rounds = 48;
   // Of the whole map, about 100 bytes each: an absurd size in a large face must not eat the memory.
   // Where it is reached the sizes stay linear in the cells.
-  static constexpr int maximum_number_of_cells = 10000000;
+  static constexpr int maximum_number_of_cells = 2000000;
 
 public:
   Size_map(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,

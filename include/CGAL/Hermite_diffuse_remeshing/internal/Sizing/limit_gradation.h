@@ -50,7 +50,10 @@ inline double bound_from_segment(const Vector& a, const Vector& b, const double 
   const double x = foot - height * sine / std::sqrt(1. - sine * sine);
   if(x <= 0. || x >= length)
     return at_ends;
-  return s + (t - s) * x / length + slope * std::hypot(foot - x, height);
+  const double bound = s + (t - s) * x / length + slope * std::hypot(foot - x, height);
+  // A size may only depend on smaller ones. In an obtuse triangle the front can seem to arrive before
+  // it has passed one of the ends, and two vertices would lower each other for ever.
+  return bound >= (std::max)(s, t) ? (std::min)(bound, at_ends) : at_ends;
 }
 
 // Lowers the sizes until they rise by no more than `slope` per length along the triangles. Fast

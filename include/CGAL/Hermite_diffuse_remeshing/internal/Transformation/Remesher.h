@@ -31,7 +31,7 @@ class Remesher
   int m_maximum_number_of_iterations;
   int m_number_of_iterations = 0;
   // changes of the mesh when an operator last began
-  std::size_t m_flipped_at = 0, m_balanced_at = 0, m_improved_at = 0, m_hinted_at = 0;
+  std::size_t m_flipped_at = 0, m_balanced_at = 0, m_improved_at = 0, m_hinted_at = 0, m_cleaned_at = 0;
 
   // Edges between 1/band and band times their size are left alone. The paper's factor 2 comes first,
   // because the longest and shortest edges shape the rest; then sqrt(2), the tightest band in which
@@ -40,10 +40,12 @@ class Remesher
   static constexpr double widest_band = 2., tightest_band = 1.4142135623730951, widening = 1.04;
   static constexpr int number_of_tight_passes = 3;
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
-  static constexpr double negligible_part = 1e-3;
+  static constexpr double negligible_part = 5e-4;
   // triangles with a better score are not worth a search
   static constexpr double satisfying_score = 0.7;
-  static constexpr int maximum_number_of_optimisation_passes = 8;
+  // triangles with a worse one may be removed, whatever the size
+  static constexpr double bad_score = 0.3;
+  static constexpr int maximum_number_of_optimisation_passes = 20;
 
 public:
   Remesher(Working_mesh<UserMesh>& mesh, const int maximum_number_of_iterations)
@@ -108,13 +110,15 @@ private:
   }
 
 public:
-  // shapes: no size is looked at, and the worst score that an operation touches never falls
+  // shapes: sizes come second, and the worst score that an operation touches never falls
   Stop_reason optimise(const Stop_reason reason)
   {
     for(int i = 0; i < maximum_number_of_optimisation_passes; ++i)
     {
       std::size_t changes =
         since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, since); });
+      changes += since_last(m_cleaned_at, [&](const std::size_t since)
+                            { return collapse_bad_faces(m_mesh, bad_score, since); });
       changes += since_last(m_improved_at, [&](const std::size_t since)
                             { return improve_vertices(m_mesh, satisfying_score, since); });
       update_hints();

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
 
 #include <CGAL/assertions.h>
@@ -24,28 +25,6 @@
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
-
-// What the user handed in.
-template <typename TriangleMesh_, typename VertexPointMap, typename EdgeIsConstrainedMap,
-          typename FacePatchMap, typename GeomTraits_, typename Visitor_>
-struct User_mesh
-{
-  typedef TriangleMesh_ TriangleMesh;
-  typedef GeomTraits_ GeomTraits;
-  typedef Visitor_ Visitor;
-
-  TriangleMesh& tmesh;
-  VertexPointMap points;
-  EdgeIsConstrainedMap edge_is_constrained;
-  FacePatchMap face_patch;
-  GeomTraits traits;
-  Visitor& visitor;
-};
-
-struct Operation_counts
-{
-  std::size_t splits = 0, collapses = 0, flips = 0, relocations = 0;
-};
 
 // The one gate to the user's mesh: every Euler operation, every change of a point, of a
 // constraint or of a patch label, and every call of the visitor is made here. Vertices and faces
@@ -194,42 +173,6 @@ public:
 
   // an upper bound of the numbers of the vertices
   std::size_t number_of_vertex_slots() const { return m_vertices.size(); }
-
-  // the neighbour with the smallest number
-  vertex_descriptor first_neighbor(const vertex_descriptor v) const
-  {
-    vertex_descriptor first = source(halfedge(v, tmesh()), tmesh());
-    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-      if(index(source(h, tmesh())) < index(first))
-        first = source(h, tmesh());
-    return first;
-  }
-
-  // the vertices that may change their place and have changed neighbours, in the order of their numbers
-  std::vector<vertex_descriptor> movable_vertices(const std::size_t since) const
-  {
-    std::vector<std::pair<int, vertex_descriptor> > numbered;
-    for(const vertex_descriptor v : vertices(tmesh()))
-      if(index(v) != -1 && has_changed(v, since) && !is_fixed(v) && has_remeshed_face(v))
-        numbered.push_back(std::make_pair(index(v), v));
-    std::sort(numbered.begin(), numbered.end(),
-              [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<vertex_descriptor> result;
-    result.reserve(numbered.size());
-    for(const auto& entry : numbered)
-      result.push_back(entry.second);
-    return result;
-  }
-
-  // number of a remeshed face at a vertex, from a map of numbers; -1: there is none
-  template <typename FaceIndexMap>
-  int first_remeshed_face(const vertex_descriptor v, const FaceIndexMap& face_index) const
-  {
-    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-      if(!is_border_or_outside(h))
-        return get(face_index, face(h, tmesh()));
-    return -1;
-  }
 
   bool is_reference_face_remeshed(const int f) const { return m_is_reference_face_remeshed[f]; }
 
@@ -397,14 +340,6 @@ private:
       touch(target(side, tmesh()));
       touch(target(next(side, tmesh()), tmesh()));
     }
-  }
-
-  bool has_remeshed_face(const vertex_descriptor v) const
-  {
-    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-      if(!is_border_or_outside(h))
-        return true;
-    return false;
   }
 
   int make_initial_vertex(const int face, const int corner)

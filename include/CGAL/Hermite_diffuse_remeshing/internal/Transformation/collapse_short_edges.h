@@ -16,6 +16,8 @@
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -41,11 +43,13 @@ bool is_collapse_topologically_legal(const Working_mesh<UserMesh>& mesh,
   return CGAL::Euler::does_satisfy_link_condition(edge(h, tm), tm);
 }
 
-// Worst score and longest relative length around the vertex that a collapse leaves.
-template <typename UserMesh>
+// No edge at the vertex that a collapse leaves may be longer than `longest_length` times its size, and the
+// worst score around it must be acceptable.
+template <typename UserMesh, typename IsScoreAcceptable>
 bool is_collapse_geometrically_legal(const Working_mesh<UserMesh>& mesh,
                                      const typename Working_mesh<UserMesh>::halfedge_descriptor h,
-                                     const Site& site, const double longest_length, const double score_before)
+                                     const Site& site, const double longest_length,
+                                     const IsScoreAcceptable& is_acceptable)
 {
   const auto& tm = mesh.tmesh();
   const auto s = source(h, tm), t = target(h, tm);
@@ -60,7 +64,7 @@ bool is_collapse_geometrically_legal(const Working_mesh<UserMesh>& mesh,
     }
   const double after = (std::min)(worst_score_around(mesh, s, site.point, t),
                                   worst_score_around(mesh, t, site.point, s));
-  return is_score_acceptable(after, score_before, score_floor);
+  return is_acceptable(after);
 }
 
 // Places for the vertex that stays, best first.
@@ -76,10 +80,28 @@ collapse_sites(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<U
   return sites;
 }
 
-// Collapses the edges that are shorter than `bound` times their size, shortest first, where no edge
-// becomes longer than `longest_length` times its size: what a collapse makes is not split again.
-template <typename UserMesh>
-std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length)
+// Collapses h at the best legal place, if there is one.
+template <typename UserMesh, typename IsScoreAcceptable>
+bool collapse_if_legal(Working_mesh<UserMesh>& mesh,
+                       const typename Working_mesh<UserMesh>::halfedge_descriptor h,
+                       const double longest_length, const IsScoreAcceptable& is_acceptable)
+{
+  if(!is_collapse_topologically_legal(mesh, h))
+    return false;
+  for(const Site& site : collapse_sites(mesh, h))
+    if(is_collapse_geometrically_legal(mesh, h, site, longest_length, is_acceptable))
+    {
+      mesh.collapse_edge(h, site);
+      return true;
+    }
+  return false;
+}
+
+// Collapses edges, shortest first: those that are candidates, `is_candidate(h)`, both before the pass and
+// when their turn comes, where the worst score may change as `is_acceptable(after, before)` says.
+template <typename UserMesh, typename IsCandidate, typename IsScoreAcceptable>
+std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_candidate,
+                           const double longest_length, const IsScoreAcceptable& is_acceptable)
 {
   typedef Working_mesh<UserMesh> Mesh;
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
@@ -89,20 +111,18 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
   // ends as descriptors and numbers: a collapse of a neighbour may have removed the edge
   struct Candidate { vertex_descriptor source, target; std::pair<int, int> key; };
   std::vector<Candidate> queue;
-  for(const auto& e : collect_edges(mesh, -1, [&](const halfedge_descriptor h, const double length)
-                                    { return length < bound && !mesh.is_protected(h); }))
+  for(const auto& e : collect_edges(mesh, -1, [&](const halfedge_descriptor h, double) { return is_candidate(h); }))
     queue.push_back({source(e.halfedge, mesh.tmesh()), target(e.halfedge, mesh.tmesh()), e.key});
 
-  std::vector<char> is_touched(mesh.number_of_vertex_slots(), false);
+  std::vector<char> is_removed(mesh.number_of_vertex_slots(), false);
   for(const Candidate& candidate : queue)
   {
     if(mesh.is_stopped())
       break;
-    // vertices that an earlier collapse of this pass has removed or moved wait for the next one
-    if(is_touched[candidate.key.first] || is_touched[candidate.key.second])
+    if(is_removed[candidate.key.first] || is_removed[candidate.key.second])
       continue;
     const std::pair<halfedge_descriptor, bool> found = halfedge(candidate.source, candidate.target, mesh.tmesh());
-    if(!found.second || mesh.relative_length(found.first) >= bound)
+    if(!found.second || !is_candidate(found.first))
       continue;
     halfedge_descriptor h = found.first;
     // the vertex with the smaller number stays where both may: the same for every mesh type
@@ -110,25 +130,43 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
       h = opposite(h, mesh.tmesh());
     const double score_before = (std::min)(worst_score_around(mesh, candidate.source),
                                            worst_score_around(mesh, candidate.target));
-    bool is_done = false;
-    for(const halfedge_descriptor d : {h, opposite(h, mesh.tmesh())})
-    {
-      if(is_done || !is_collapse_topologically_legal(mesh, d))
-        continue;
-      for(const Site& site : collapse_sites(mesh, d))
-        if(is_collapse_geometrically_legal(mesh, d, site, longest_length, score_before))
-        {
-          const int removed = mesh.index(source(d, mesh.tmesh()));
-          mesh.collapse_edge(d, site);
-          is_touched[removed] = true;
-          is_done = true;
-          break;
-        }
-      if(is_done)
-        break;
-    }
+    const auto is_better = [&](const double after) { return is_acceptable(after, score_before); };
+    const int first = mesh.index(source(h, mesh.tmesh())), second = mesh.index(target(h, mesh.tmesh()));
+    if(collapse_if_legal(mesh, h, longest_length, is_better))
+      is_removed[first] = true;
+    else if(collapse_if_legal(mesh, opposite(h, mesh.tmesh()), longest_length, is_better))
+      is_removed[second] = true;
   }
   return mesh.counts().collapses - before;
+}
+
+// Collapses the edges that are shorter than `bound` times their size where no edge becomes longer than
+// `longest_length` times its size: what a collapse makes is not split again.
+template <typename UserMesh>
+std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length)
+{
+  typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
+  return collapse_edges(mesh,
+    [&](const halfedge_descriptor h) { return mesh.relative_length(h) < bound && !mesh.is_protected(h); },
+    longest_length,
+    [](const double after, const double before) { return is_score_acceptable(after, before, score_floor); });
+}
+
+// Collapses edges of any length at faces with a score below `bound`, where the worst score becomes better:
+// the way out of slivers that no flip and no move can improve.
+template <typename UserMesh>
+std::size_t collapse_bad_faces(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
+{
+  typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
+  // shape comes before size here, but not without limit
+  constexpr double longest_length = 2.;
+  const auto is_bad = [&](const halfedge_descriptor h)
+  { return !mesh.is_border_or_outside(h) && face_score(mesh, h) < bound; };
+  return collapse_edges(mesh,
+    [&](const halfedge_descriptor h)
+    { return mesh.has_changed(h, since) && !mesh.is_protected(h) && (is_bad(h) || is_bad(opposite(h, mesh.tmesh()))); },
+    longest_length,
+    [](const double after, const double before) { return after > before + score_margin; });
 }
 
 } // namespace internal

@@ -11,7 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Triangle_tree.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
 #include <algorithm>
 #include <array>
@@ -173,9 +173,11 @@ Deviations<UserMesh> measure_deviations(const Working_mesh<UserMesh>& mesh)
   }
   for(const auto v : vertices(tm))
   {
-    const int f = mesh.index(v) == -1 ? -1 : mesh.first_remeshed_face(v, index);
-    if(f != -1)
-      add_projection(mesh.point(v), mesh.data(v).site.location.face, {f});
+    if(mesh.index(v) == -1)
+      continue;
+    const halfedge_descriptor h = first_remeshed_halfedge(mesh, v);
+    if(h != Mesh::Graph_traits::null_halfedge())
+      add_projection(mesh.point(v), mesh.data(v).site.location.face, {get(index, face(h, tm))});
   }
 
   const Triangle_tree tree(facets);

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RELOCATE_VERTICES_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
 #include <algorithm>
 #include <array>
@@ -79,7 +80,7 @@ template <typename UserMesh>
 std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   const std::size_t before = mesh.counts().relocations;
-  for(const auto v : mesh.movable_vertices(since))
+  for(const auto v : movable_vertices(mesh, since))
   {
     if(mesh.is_stopped())
       break;
@@ -117,7 +118,7 @@ void visit_pattern(const Working_mesh<UserMesh>& mesh,
     return;
   }
   const Vector n = reference.surface.blended_normal(site.location);
-  const Node_frame frame(site.point, n, mesh.point(mesh.first_neighbor(v)), 1.);
+  const Node_frame frame(site.point, n, mesh.point(first_neighbor(mesh, v)), 1.);
   constexpr int number_of_directions = 8;
   for(int i = 0; i < number_of_directions; ++i)
   {
@@ -134,7 +135,7 @@ template <typename UserMesh>
 std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const double target_score, const std::size_t since)
 {
   const std::size_t before = mesh.counts().relocations;
-  for(const auto v : mesh.movable_vertices(since))
+  for(const auto v : movable_vertices(mesh, since))
   {
     if(mesh.is_stopped())
       break;
