@@ -138,6 +138,20 @@ void test_prediction_and_budget()
   }
 }
 
+// the input has more faces than the budget
+void test_budget_of_coarsening()
+{
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::Torus().mesh(10000, 3));
+  for(const std::size_t budget : {4000, 1000, 400})
+  {
+    Surface_mesh mesh = input;
+    const auto report =
+      PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.001).maximum_number_of_faces(budget));
+    assert(report.number_of_faces <= budget && double(report.number_of_faces) > 0.75 * budget);
+    assert(report.size_scale > 1. && report.stop_reason == HDR::CONVERGED);
+  }
+}
+
 // nothing is changed when the field is refused, and a field that refers to the mesh is safe
 void test_reading()
 {
@@ -245,6 +259,7 @@ int main()
   test_models();
   test_feature_inside_face();
   test_prediction_and_budget();
+  test_budget_of_coarsening();
   test_reading();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
