@@ -54,7 +54,6 @@
   ADD(face_patch_t, face_patch, face_patch_map)                                  \
   ADD(maximum_number_of_faces_t, maximum_number_of_faces, maximum_number_of_faces) \
   ADD(number_of_iterations_t, number_of_iterations, number_of_iterations)        \
-  ADD(do_self_intersection_tests_t, do_self_intersection_tests, do_self_intersection_tests) \
   ADD(visitor_t, visitor, visitor)
 
 namespace CGAL {

@@ -111,7 +111,7 @@ namespace Polygon_mesh_processing {
  * logarithmic in the former. The result depends on the input and the parameters only, and
  * scaling, rotating or translating the input does the same to it.
  *
- * A chain of parameters must begin with one of this package's own (\ref approximation_error and the
+ * A chain of parameters must begin with one of this package's own (`approximation_error` and the
  * others that \cgal does not have), then takes these and those of \cgal in any order.
  *
  * @tparam FaceRange a model of `Range` with value type `boost::graph_traits<TriangleMesh>::%face_descriptor`

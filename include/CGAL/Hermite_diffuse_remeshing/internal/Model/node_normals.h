@@ -66,7 +66,7 @@ class Normal_fitter
   static constexpr int surplus = 3;
   // of the matrix scaled to a unit diagonal; below it the positions lie on few lines, such as
   // the two rows of a cylinder meshed with one strip
-  static constexpr double least_pivot = 1e-5;
+  static constexpr double least_pivot = 1e-4;
   // a fit that turns the normal by more than this has left the neighbourhood it can describe
   static constexpr double cosine_of_largest_turn = 0.93969262078590838;  // cos 20 degrees
   // keeps the weight 1/d^2 finite; relative to the node's size, squared

@@ -59,8 +59,9 @@ class Size_map
   double m_scale = 1.;                    // of the own sizes, to meet a budget
   bool m_is_sample_lowered = false;       // since the sizes were last graded
 
-  // a cell is fine enough when its longest side is this many sizes long
-  static constexpr double sides_per_size = 2.;
+  // a cell is fine enough when its longest side is this many sizes long; off the simple ratios, so that
+  // rounding does not decide on regular meshes
+  static constexpr double sides_per_size = 2.0037;
   // where the size that was asked for jumps, this many: the place of the jump moves by as much
   static constexpr double sides_per_size_at_jump = 0.25;
   // or when the size in it differs by less than this from its linear interpolation

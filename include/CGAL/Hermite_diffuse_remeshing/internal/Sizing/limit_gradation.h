@@ -52,8 +52,10 @@ inline double bound_from_segment(const Vector& a, const Vector& b, const double 
     return at_ends;
   const double bound = s + (t - s) * x / length + slope * std::hypot(foot - x, height);
   // A size may only depend on smaller ones. In an obtuse triangle the front can seem to arrive before
-  // it has passed one of the ends, and two vertices would lower each other for ever.
-  return bound >= (std::max)(s, t) ? (std::min)(bound, at_ends) : at_ends;
+  // it has passed one of the ends, and two vertices would lower each other for ever. In symmetric
+  // triangles the two are equal, which rounding must not decide.
+  constexpr double margin = 1e-6;
+  return bound >= (1. + margin) * (std::max)(s, t) ? (std::min)(bound, at_ends) : at_ends;
 }
 
 // Lowers the sizes until they rise by no more than `slope` per length along the triangles. Fast
