@@ -54,6 +54,7 @@ class Size_map
   Bisection_tree m_cells;
   std::vector<Sample> m_samples;          // first the vertices of the reference
   std::vector<double> m_sizes;            // after gradation
+  std::vector<double> m_area_ratios;      // of the surface over the faces
   Pair_map<int> m_middles;
   Pair_map<double> m_curve_sizes;         // curvature's size along the pieces of the feature edges
   double m_scale = 1.;                    // of the own sizes, to meet a budget
@@ -81,6 +82,8 @@ public:
            const Size_options& options)
     : m_sources(surface, options), m_cells(surface.triangles())
   {
+    for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
+      m_area_ratios.push_back(m_sources.area_ratio(f));
     sample_vertices(surface, curves);
     sample_curves(edges, curves);
     refine();
@@ -140,7 +143,7 @@ public:
       const Cell& cell = m_cells[c];
       if(!m_cells.is_leaf(c) || !is_selected(cell.face))
         continue;
-      number += number_of_equilateral_faces(
+      number += m_area_ratios[cell.face] * number_of_equilateral_faces(
         m_samples[cell.samples[0]].position, m_samples[cell.samples[1]].position, m_samples[cell.samples[2]].position,
         {{m_sizes[cell.samples[0]], m_sizes[cell.samples[1]], m_sizes[cell.samples[2]]}});
     }
