@@ -2,6 +2,7 @@
 
 #include "test_helpers.h"
 
+#include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Hermite_diffuse_remeshing/Background_size_fields.h>
 #include <CGAL/Hermite_diffuse_remeshing/Size_fields.h>
 #include <CGAL/Hermite_diffuse_remeshing/sizes_from_errors.h>
@@ -138,6 +139,20 @@ void test_prediction_and_budget()
   }
 }
 
+// the input has more faces than the budget
+void test_budget_of_coarsening()
+{
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::Torus().mesh(10000, 3));
+  for(const std::size_t budget : {4000, 1000, 400})
+  {
+    Surface_mesh mesh = input;
+    const auto report =
+      PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.001).maximum_number_of_faces(budget));
+    assert(report.number_of_faces <= budget && double(report.number_of_faces) > 0.75 * budget);
+    assert(report.size_scale > 1. && report.stop_reason == HDR::CONVERGED);
+  }
+}
+
 // nothing is changed when the field is refused, and a field that refers to the mesh is safe
 void test_reading()
 {
@@ -239,12 +254,54 @@ void test_sizes_from_errors()
   assert(refusals == 4);
 }
 
+// a turned, scaled and shifted mesh with the field turned, scaled and shifted
+void test_invariance()
+{
+  typedef CGAL::Aff_transformation_3<Kernel> Transformation;
+  const double c = std::cos(0.7), s = std::sin(0.7), scale = 50.;
+  const Transformation transformation = Transformation(CGAL::SCALING, scale)
+    * Transformation(c, -s, 0., s, c, 0., 0., 0., 1.) * Transformation(CGAL::TRANSLATION, Kernel::Vector_3(3., -2., 1.));
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::Torus().mesh(1500, 3));
+  const auto field_around = [](const Point_3& center, const double unit)
+  {
+    return [=](const Point_3& p)
+    {
+      const double d = std::sqrt(CGAL::squared_distance(p, center)) / unit;
+      return unit * (d < 0.2 ? 0.03 : 0.06 + 0.2 * d);
+    };
+  };
+  const auto remeshed = [&](const Surface_mesh& mesh, const Point_3& center, const double unit, const std::size_t budget)
+  {
+    Surface_mesh result = mesh;
+    auto labels = result.add_property_map<face_descriptor, double>("f:asked").first;
+    std::size_t i = 0;
+    for(const face_descriptor f : faces(result))
+      labels[f] = unit * (i++ < 100 ? 0.05 : infinity);
+    const HDR::Face_size_field<Surface_mesh, decltype(labels)> of_faces(result, labels);
+    PMP::hermite_diffuse_remesh(result, params::approximation_error(0.05).maximum_number_of_faces(budget)
+      .size_field(HDR::minimum_size_field(of_faces, field_around(center, unit))));
+    return result;
+  };
+  const Point_3 center(0.7, 0.75, 0.35);
+  for(const std::size_t budget : {100000, 1500})
+  {
+    Surface_mesh image = input;
+    for(const vertex_descriptor v : vertices(image))
+      image.point(v) = transformation(image.point(v));
+    const Surface_mesh result = remeshed(input, center, 1., budget);
+    const Surface_mesh result_of_image = remeshed(image, transformation(center), scale, budget);
+    assert(is_image(result, result_of_image, transformation, 1e-5 * scale));
+  }
+}
+
 int main()
 {
+  test_invariance();
   test_sizes_from_errors();
   test_models();
   test_feature_inside_face();
   test_prediction_and_budget();
+  test_budget_of_coarsening();
   test_reading();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

@@ -11,6 +11,11 @@
 
 #include <CGAL/version.h>
 
+// isotropic_remeshing() takes a model of PMPSizingField
+#if CGAL_VERSION_NR >= 1060001000
+#define CGAL_HDR_HAS_PMP_SIZING_FIELD
+#endif
+
 #if CGAL_VERSION_NR >= 1060001000
 #include <CGAL/AABB_traits_3.h>
 #else

@@ -63,7 +63,7 @@ class Size_map
   // rounding does not decide on regular meshes
   static constexpr double sides_per_size = 2.0037;
   // where the size that was asked for jumps, this many: the place of the jump moves by as much
-  static constexpr double sides_per_size_at_jump = 0.25;
+  static constexpr double sides_per_size_at_jump = 0.2513;
   // or when the size in it differs by less than this from its linear interpolation
   static constexpr double size_tolerance = 0.25;
   // The user's field is probed at points this many sizes apart: a part of the field with smaller sizes

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_SIZING_FIELD_H
+#define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_SIZING_FIELD_H
+
+#include <CGAL/Hermite_diffuse_size_map.h>
+
+#include <CGAL/boost/graph/iterator.h>
+
+#include <memory>
+#include <optional>
+
+namespace CGAL {
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * The class `Hermite_diffuse_sizing_field` hands the sizes of this package to the remeshing functions of
+ * \cgal from version 6 on: the curvature of the Hermite diffuse surface, on faces and feature curves, the
+ * fields of the user, the gradation and the budget of faces can drive `isotropic_remeshing()` and
+ * `split_long_edges()`.
+ *
+ * The sizes are those of the mesh at the time of the construction; the mesh may change afterwards. An
+ * edge is too long if it is longer than 4/3 of the mean of the sizes at its ends, and too short if it is
+ * shorter than 4/5 of it, as for \cgal's own fields. Every question takes time logarithmic in the number
+ * of faces that the mesh had. Copies share the sizes.
+ *
+ * \cgalModels{PMPSizingField}
+ *
+ * \tparam TriangleMesh a model of `MutableFaceGraph` with an internal property map of points
+ *
+ * @sa `CGAL::Hermite_diffuse_size_map`
+ */
+template <typename TriangleMesh>
+class Hermite_diffuse_sizing_field
+{
+  typedef Hermite_diffuse_size_map<TriangleMesh> Size_map;
+  typedef typename Size_map::Geom_traits Geom_traits;
+
+public:
+  /// \name Types
+  /// @{
+  typedef typename Size_map::FT FT;
+  typedef typename Size_map::Point_3 Point_3;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  /// @}
+
+private:
+  std::shared_ptr<const Size_map> m_sizes;
+  Geom_traits m_traits;
+
+public:
+  /*!
+   * computes the sizes.
+   *
+   * @param tmesh the mesh that will be remeshed
+   * @param np an optional sequence of named parameters, as for `CGAL::Hermite_diffuse_size_map`
+   *
+   * \throw std::invalid_argument as `hermite_diffuse_remesh()` does
+   */
+  template <typename NamedParameters = parameters::Default_named_parameters>
+  explicit Hermite_diffuse_sizing_field(const TriangleMesh& tmesh,
+                                        const NamedParameters& np = parameters::default_values())
+    : m_sizes(std::make_shared<const Size_map>(tmesh, np))
+  {}
+
+  /// returns the size at a vertex.
+  FT at(const vertex_descriptor v, const TriangleMesh& tmesh) const
+  {
+    return m_sizes->size(get(CGAL::vertex_point, tmesh, v));
+  }
+
+  /// returns how many times the square of the length between two vertices is larger than that of the
+  /// longest edge, if it is.
+  std::optional<FT> is_too_long(const vertex_descriptor v, const vertex_descriptor w, const TriangleMesh& tmesh) const
+  {
+    const FT ratio = squared_ratio(v, w, FT(4) / FT(3), tmesh);
+    return ratio > FT(1) ? std::optional<FT>(ratio) : std::nullopt;
+  }
+
+  /// returns the part that the square of the length of an edge is of that of the shortest edge, if it is
+  /// shorter.
+  std::optional<FT> is_too_short(const halfedge_descriptor h, const TriangleMesh& tmesh) const
+  {
+    const FT ratio = squared_ratio(source(h, tmesh), target(h, tmesh), FT(4) / FT(5), tmesh);
+    return ratio < FT(1) ? std::optional<FT>(ratio) : std::nullopt;
+  }
+
+  /// returns the middle of an edge.
+  Point_3 split_placement(const halfedge_descriptor h, const TriangleMesh& tmesh) const
+  {
+    const Point_3 p = get(CGAL::vertex_point, tmesh, source(h, tmesh));
+    const Point_3 q = get(CGAL::vertex_point, tmesh, target(h, tmesh));
+    const auto x = m_traits.compute_x_3_object();
+    const auto y = m_traits.compute_y_3_object();
+    const auto z = m_traits.compute_z_3_object();
+    return m_traits.construct_point_3_object()((x(p) + x(q)) / FT(2), (y(p) + y(q)) / FT(2), (z(p) + z(q)) / FT(2));
+  }
+
+  /// does nothing: the sizes are known everywhere.
+  void register_split_vertex(const vertex_descriptor, const TriangleMesh&) {}
+
+private:
+  FT squared_ratio(const vertex_descriptor v, const vertex_descriptor w, const FT factor,
+                   const TriangleMesh& tmesh) const
+  {
+    const FT allowed = factor * (at(v, tmesh) + at(w, tmesh)) / FT(2);
+    return m_traits.compute_squared_distance_3_object()(get(CGAL::vertex_point, tmesh, v),
+                                                        get(CGAL::vertex_point, tmesh, w)) / (allowed * allowed);
+  }
+};
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_SIZING_FIELD_H
