@@ -425,19 +425,7 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
 
   Deviations<User> deviations;
   stage("deviation", [&]
-  {
-    deviations = measure_deviations(mesh);
-    // a deviation falls with the square of the size: each round at least halves what is too much
-    constexpr int maximum_number_of_rounds = 10;
-    for(int round = 0; round < maximum_number_of_rounds; ++round)
-    {
-      if(deviations.largest <= maximum_deviation || mesh.is_stopped() || mesh.is_full()
-         || !refine_sizes(mesh, *sizes, deviations, maximum_deviation))
-        break;
-      report.stop_reason = remesher.optimise(remesher.adapt_again());
-      deviations = measure_deviations(mesh);
-    }
-  });
+  { deviations = enforce_deviation(mesh, *sizes, remesher, maximum_deviation, report.stop_reason); });
 
   fill_report(mesh, deviations, report);
   report.number_of_iterations = remesher.number_of_iterations();
