@@ -407,13 +407,9 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> User;
   typedef Working_mesh<User> Mesh;
 
-  // The sizes meet the budget. The cap is for sizes that no mesh can have, and leaves a mesh that is above the
-  // budget at first the room to be adapted: the faces that it has, and the two of a split.
-  const std::size_t face_cap =
-    (std::max)(maximum_number_of_faces, std::size_t(std::count(is_remeshed.begin(), is_remeshed.end(), true)) + 2);
   Mesh mesh(User{tmesh, vpm, ecm, fpm, gt, visitor}, reference, face_descriptors, is_remeshed,
             [&](const halfedge_descriptor h) { return protect && get(ecm, edge(h, tmesh)); },
-            face_cap);
+            maximum_number_of_faces);
   const Quality_statistics input_quality = measure_quality(mesh);
   report.smallest_input_quality = input_quality.smallest;
   report.mean_input_quality = input_quality.mean;

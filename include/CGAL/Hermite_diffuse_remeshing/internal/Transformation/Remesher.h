@@ -101,12 +101,11 @@ private:
       m_mesh.report_progress(double(i + 1 - first_iteration) / m_maximum_number_of_iterations);
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;
-      if(m_mesh.is_full())
-        return FACE_BUDGET;
+      // a mesh that is full at first may have room after the collapses
       if(i > 0 && changes <= negligible_part * m_mesh.number_of_faces())
-        return CONVERGED;
+        return m_mesh.is_full() ? FACE_BUDGET : CONVERGED;
     }
-    return ITERATION_BOUND;
+    return m_mesh.is_full() ? FACE_BUDGET : ITERATION_BOUND;
   }
 
 public:
