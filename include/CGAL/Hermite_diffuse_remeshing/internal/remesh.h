@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REMESH_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REMESH_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
+#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Stage_clock.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/write_output_maps.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// `result[i]`: is face i of the input among `faces`?
+template <typename FaceRange, typename TriangleMesh, typename GeomTraits>
+std::vector<char> select_faces(const FaceRange& faces, const Input_mesh<TriangleMesh, GeomTraits>& input)
+{
+  auto rank = get(CGAL::dynamic_face_property_t<int>(), input.tmesh);
+  for(std::size_t i = 0; i < input.face_descriptors.size(); ++i)
+    put(rank, input.face_descriptors[i], static_cast<int>(i));
+  std::vector<char> is_selected(input.face_descriptors.size(), false);
+  for(const auto f : faces)
+    is_selected[get(rank, f)] = true;
+  return is_selected;
+}
+
+// The sizes, scaled so that the selected faces meet the budget.
+inline std::unique_ptr<Size_map> make_size_map(const Input_model& model, const Size_options& options,
+                                               const std::vector<char>& is_selected,
+                                               const std::size_t maximum_number_of_faces)
+{
+  // the rest is for the places where the sizes do not fit the shape
+  constexpr double used_part = 0.9;
+  std::unique_ptr<Size_map> sizes(new Size_map(model.surface, model.edges, model.curves, options));
+  sizes->limit_number_of_faces(used_part * double(maximum_number_of_faces),
+                               [&](const int f) { return is_selected[f] != 0; });
+  return sizes;
+}
+
+// The whole method, in the order of the paper: the input is classified and fitted, sizes follow from the
+// curvature, then the mesh is adapted to them, improved, and measured against the fit.
+template <typename FaceRange, typename TriangleMesh, typename Pack>
+Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmesh, const Pack& pack)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef Traits_of<TriangleMesh, Pack> GT;
+  typedef typename GetVertexPointMap<TriangleMesh, Pack>::type VPM;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, Pack,
+    Static_boolean_property_map<edge_descriptor, false> >::type ECM;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::face_patch_t, Pack,
+    Constant_property_map<face_descriptor, int> >::type FPM;
+  typedef Default_remeshing_visitor<TriangleMesh> Default_visitor;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
+    Visitor_reference;
+  typedef std::remove_reference_t<Visitor_reference> Visitor;
+  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> User;
+
+  // everything is read and checked before the first change
+  const VPM vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                                   get_property_map(CGAL::vertex_point, tmesh));
+  const ECM ecm = choose_parameter<ECM>(get_parameter(pack, internal_np::edge_is_constrained));
+  const FPM fpm = choose_parameter<FPM>(get_parameter(pack, internal_np::face_patch));
+  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
+  Default_visitor default_visitor;
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
+  const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
+  check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
+  const std::size_t maximum_number_of_faces =
+    choose_parameter(get_parameter(pack, internal_np::maximum_number_of_faces),
+                     std::size_t((std::numeric_limits<int>::max)()));
+
+  const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
+  const Size_options size_options = read_size_options(pack, input.traits, model_diameter(input.triangles),
+                                                      input.face_descriptors);
+
+  Remeshing_report<TriangleMesh> report;
+  report.number_of_input_faces = input.face_descriptors.size();
+  report.maximum_deviation = size_options.maximum_deviation;
+  Stage_clock<TriangleMesh, Visitor> stage(report, visitor);
+
+  std::unique_ptr<Input_model> model;
+  stage("model", [&] { model = read_model(input, pack); });
+
+  const std::vector<char> is_remeshed = select_faces(faces, input);
+  std::unique_ptr<Size_map> sizes;
+  stage("size map", [&]
+  {
+    sizes = make_size_map(*model, size_options, is_remeshed, maximum_number_of_faces);
+    report.size_scale = sizes->scale();
+    report.predicted_number_of_faces = sizes->number_of_faces([&](const int f) { return is_remeshed[f] != 0; })
+                                     + double(std::count(is_remeshed.begin(), is_remeshed.end(), false));
+  });
+
+  const Reference reference{model->edges, model->vertex_classes, model->curves, model->surface, model->locator,
+                            *sizes};
+  Working_mesh<User> mesh(User{tmesh, vpm, ecm, fpm, input.traits, visitor}, reference, input.face_descriptors,
+                          is_remeshed,
+                          [&](const halfedge_descriptor h) { return protect && get(ecm, edge(h, tmesh)); },
+                          maximum_number_of_faces);
+  const Quality_statistics input_quality = measure_quality(mesh);
+  report.smallest_input_quality = input_quality.smallest;
+  report.mean_input_quality = input_quality.mean;
+
+  Remesher<User> remesher(mesh, static_cast<int>(iterations));
+  stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
+  if(!mesh.is_stopped())
+    stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
+
+  Deviations<User> deviations;
+  stage("deviation", [&]
+  { deviations = enforce_deviation(mesh, *sizes, remesher, size_options.maximum_deviation, report.stop_reason); });
+
+  fill_report(mesh, deviations, report);
+  report.number_of_iterations = remesher.number_of_iterations();
+  report.number_of_corners = std::count_if(model->vertex_classes.begin(), model->vertex_classes.end(), is_corner);
+  report.number_of_feature_edges = std::count_if(model->edge_classes.begin(), model->edge_classes.end(), is_feature);
+  report.number_of_curves = model->curves.curves.size();
+  write_output_maps(mesh, deviations.faces, pack);
+  return report;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REMESH_H
