@@ -9,7 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
 #define CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 
@@ -83,7 +83,6 @@ public:
   explicit Hermite_diffuse_size_map(const TriangleMesh& tmesh,
                                     const NamedParameters& np = parameters::default_values())
   {
-    using parameters::get_parameter;
     using namespace Hermite_diffuse_remeshing::internal;
 
     const auto& pack = Hermite_diffuse_remeshing::internal::pack(np);
@@ -92,10 +91,8 @@ public:
     const Size_options options = read_size_options(pack, m_traits, model_diameter(input.triangles),
                                                    input.face_descriptors);
     m_model = read_model(input, pack);
-    m_sizes.reset(new Size_map(m_model->surface, m_model->edges, m_model->curves, options));
-    if constexpr(is_given<std::decay_t<decltype(pack)>, internal_np::maximum_number_of_faces_t>())
-      m_sizes->limit_number_of_faces(double(get_parameter(pack, internal_np::maximum_number_of_faces)),
-                                     [](int) { return true; });
+    m_sizes = make_size_map(*m_model, options, read_face_budget(pack, input.face_descriptors.size()),
+                            [](int) { return true; });
   }
 
   /// returns the size at the point of the mesh that is closest to `p`, a length; in time logarithmic in

@@ -51,7 +51,8 @@ std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, c
 }
 
 template <typename TriangleMesh, typename GeomTraits, typename Pack>
-std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack)
+std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
+                                        const Progress& progress = Progress())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -71,7 +72,7 @@ std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTrait
   return std::unique_ptr<Input_model>(
     new Input_model(input.triangles, read_feature_options(pack), read_model_options(pack), is_user_edge,
                     [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
-                    read_vertex_normals(input.vertex_descriptors, input.traits, pack)));
+                    read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress));
 }
 
 } // namespace internal

@@ -11,9 +11,10 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Stage_clock.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Supervisor.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/write_output_maps.h>
@@ -41,17 +42,27 @@ std::vector<char> select_faces(const FaceRange& faces, const Input_mesh<Triangle
   return is_selected;
 }
 
-// The sizes, scaled so that the selected faces meet the budget.
-inline std::unique_ptr<Size_map> make_size_map(const Input_model& model, const Size_options& options,
-                                               const std::vector<char>& is_selected,
-                                               const std::size_t maximum_number_of_faces)
+template <typename TriangleMesh, typename GeomTraits, typename IsSelected>
+void describe_input(const Input_mesh<TriangleMesh, GeomTraits>& input, const IsSelected& is_selected,
+                    Remeshing_report<TriangleMesh>& report)
 {
-  // the rest is for the places where the sizes do not fit the shape
-  constexpr double used_part = 0.9;
-  std::unique_ptr<Size_map> sizes(new Size_map(model.surface, model.edges, model.curves, options));
-  sizes->limit_number_of_faces(used_part * double(maximum_number_of_faces),
-                               [&](const int f) { return is_selected[f] != 0; });
-  return sizes;
+  report.number_of_input_faces = report.number_of_faces = input.face_descriptors.size();
+  report.number_of_vertices = input.vertex_descriptors.size();
+  const Quality_statistics quality = measure_quality(input.triangles, is_selected);
+  report.smallest_input_quality = report.smallest_quality = quality.smallest;
+  report.mean_input_quality = report.mean_quality = quality.mean;
+}
+
+template <typename TriangleMesh>
+void describe_preparation(const Input_model& model, const Size_map& sizes, const std::vector<char>& is_remeshed,
+                          Remeshing_report<TriangleMesh>& report)
+{
+  report.number_of_corners = std::count_if(model.vertex_classes.begin(), model.vertex_classes.end(), is_corner);
+  report.number_of_feature_edges = std::count_if(model.edge_classes.begin(), model.edge_classes.end(), is_feature);
+  report.number_of_curves = model.curves.curves.size();
+  report.size_scale = sizes.scale();
+  report.predicted_number_of_faces = sizes.number_of_faces([&](const int f) { return is_remeshed[f] != 0; })
+                                   + double(std::count(is_remeshed.begin(), is_remeshed.end(), false));
 }
 
 // The whole method, in the order of the paper: the input is classified and fitted, sizes follow from the
@@ -76,7 +87,8 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
     Visitor_reference;
   typedef std::remove_reference_t<Visitor_reference> Visitor;
-  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> User;
+  typedef Supervisor<TriangleMesh, Visitor> Watched_visitor;
+  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Watched_visitor> User;
 
   // everything is read and checked before the first change
   const VPM vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
@@ -88,56 +100,56 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
   const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
   check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
-  const std::size_t maximum_number_of_faces =
-    choose_parameter(get_parameter(pack, internal_np::maximum_number_of_faces),
-                     std::size_t((std::numeric_limits<int>::max)()));
+  const double maximum_running_time =
+    choose_parameter(get_parameter(pack, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
+  check_positive_parameter("maximum_running_time", maximum_running_time);
 
   const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
   const Size_options size_options = read_size_options(pack, input.traits, model_diameter(input.triangles),
                                                       input.face_descriptors);
 
+  const std::vector<char> is_remeshed = select_faces(faces, input);
+  const auto is_selected = [&](const int f) { return is_remeshed[f] != 0; };
+  const std::size_t maximum_number_of_faces = read_face_budget(pack, input.face_descriptors.size());
+
   Remeshing_report<TriangleMesh> report;
-  report.number_of_input_faces = input.face_descriptors.size();
+  describe_input(input, is_selected, report);
   report.maximum_deviation = size_options.maximum_deviation;
-  Stage_clock<TriangleMesh, Visitor> stage(report, visitor);
+  Watched_visitor watched(visitor, report, maximum_running_time);
 
   std::unique_ptr<Input_model> model;
-  stage("model", [&] { model = read_model(input, pack); });
-
-  const std::vector<char> is_remeshed = select_faces(faces, input);
   std::unique_ptr<Size_map> sizes;
-  stage("size map", [&]
+  const bool is_prepared =
+    watched.stage("model", [&] { model = read_model(input, pack, watched.progress_of_stage()); })
+    && watched.stage("size map", [&]
+       { sizes = make_size_map(*model, size_options, maximum_number_of_faces, is_selected,
+                               watched.progress_of_stage()); });
+  if(!is_prepared)
   {
-    sizes = make_size_map(*model, size_options, is_remeshed, maximum_number_of_faces);
-    report.size_scale = sizes->scale();
-    report.predicted_number_of_faces = sizes->number_of_faces([&](const int f) { return is_remeshed[f] != 0; })
-                                     + double(std::count(is_remeshed.begin(), is_remeshed.end(), false));
-  });
+    report.stop_reason = watched.stop_reason();
+    return report;
+  }
+  describe_preparation(*model, *sizes, is_remeshed, report);
 
   const Reference reference{model->edges, model->vertex_classes, model->curves, model->surface, model->locator,
                             *sizes};
-  Working_mesh<User> mesh(User{tmesh, vpm, ecm, fpm, input.traits, visitor}, reference, input.face_descriptors,
+  Working_mesh<User> mesh(User{tmesh, vpm, ecm, fpm, input.traits, watched}, reference, input.face_descriptors,
                           is_remeshed,
                           [&](const halfedge_descriptor h) { return protect && get(ecm, edge(h, tmesh)); },
                           maximum_number_of_faces);
-  const Quality_statistics input_quality = measure_quality(mesh);
-  report.smallest_input_quality = input_quality.smallest;
-  report.mean_input_quality = input_quality.mean;
-
   Remesher<User> remesher(mesh, static_cast<int>(iterations));
-  stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
-  if(!mesh.is_stopped())
-    stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
-
   Deviations<User> deviations;
-  stage("deviation", [&]
-  { deviations = enforce_deviation(mesh, *sizes, remesher, size_options.maximum_deviation, report.stop_reason); });
+  watched.stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
+  if(!watched.is_stopped())
+    watched.stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
+  if(!watched.is_stopped())
+    report.is_deviation_measured = watched.stage("deviation", [&]
+    { deviations = enforce_deviation(mesh, *sizes, remesher, size_options.maximum_deviation, report.stop_reason); });
+  if(watched.is_stopped())
+    report.stop_reason = watched.stop_reason();
 
   fill_report(mesh, deviations, report);
   report.number_of_iterations = remesher.number_of_iterations();
-  report.number_of_corners = std::count_if(model->vertex_classes.begin(), model->vertex_classes.end(), is_corner);
-  report.number_of_feature_edges = std::count_if(model->edge_classes.begin(), model->edge_classes.end(), is_feature);
-  report.number_of_curves = model->curves.curves.size();
   write_output_maps(mesh, deviations.faces, pack);
   return report;
 }

@@ -46,11 +46,11 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
       put(location_map, v, std::make_pair(std::size_t(location.face), location.coordinates));
       put(size_map, v, mesh.size(v));
     }
+  for(const face_descriptor f : faces(mesh.tmesh()))
+    if(mesh.is_remeshed(f))
+      put(origin_map, f, std::size_t(mesh.hint(f)));
   for(const Deviation& entry : deviations)
-  {
-    put(origin_map, entry.face, std::size_t(mesh.hint(entry.face)));
     put(deviation_map, entry.face, entry.deviation);
-  }
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
 
@@ -16,6 +17,8 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/property_map.h>
+
+#include <boost/container/static_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -207,6 +210,12 @@ public:
     return m_is_stopped;
   }
   bool is_stopped() const { return m_is_stopped; }
+  // for what only reads the mesh
+  void give_up_if_stopped() const
+  {
+    if(m_is_stopped || m_user.visitor.is_stop_requested())
+      throw Interrupted();
+  }
   bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }
   void report_progress(const double fraction) { m_user.visitor.progress(fraction); }
 
@@ -224,10 +233,11 @@ public:
     const halfedge_descriptor h_new = CGAL::Euler::split_edge(h, tm);
     const vertex_descriptor v = target(h_new, tm);
     set_edge(edge(h_new, tm), edge_data);
+    boost::container::static_vector<std::pair<face_descriptor, face_descriptor>, 2> parts;
     if(!CGAL::is_border(h, tm))
-      split_quadrangle(h_new, next(h, tm));
+      parts.push_back(split_quadrangle(h_new, next(h, tm)));
     if(!CGAL::is_border(o, tm))
-      split_quadrangle(o, next(opposite(h_new, tm), tm));
+      parts.push_back(split_quadrangle(o, next(opposite(h_new, tm), tm)));
 
     Vertex vertex;
     vertex.site = site;
@@ -237,6 +247,8 @@ public:
     touch_around(v);
     ++m_counts.splits;
     m_user.visitor.after_edge_split(v);
+    for(const std::pair<face_descriptor, face_descriptor>& part : parts)
+      m_user.visitor.after_face_split(part.first, part.second);
     return v;
   }
 
@@ -286,6 +298,7 @@ public:
 
   void relocate(const vertex_descriptor v, const Site& site)
   {
+    m_user.visitor.before_vertex_relocation(v);
     m_vertices[index(v)].site = site;
     put_point(v, site.point);
     touch_around(v);
@@ -313,6 +326,8 @@ public:
     for(const face_descriptor f : faces(tmesh()))
       if(is_remeshed(f) && has_changed(f, since))
       {
+        if(is_stopped())
+          return;
         const halfedge_descriptor h = halfedge(f, tmesh());
         const Vector centroid = (point(source(h, tmesh())) + point(target(h, tmesh()))
                                  + point(target(next(h, tmesh()), tmesh()))) / 3.;
@@ -401,8 +416,10 @@ private:
       put(m_user.edge_is_constrained, e, data.is_constrained);
   }
 
-  // joins the targets of two halfedges of one face; both parts inherit what the face knew
-  void split_quadrangle(const halfedge_descriptor h, const halfedge_descriptor g)
+  // Joins the targets of two halfedges of one face; both parts inherit what the face knew. Returns the face
+  // and the new one.
+  std::pair<face_descriptor, face_descriptor>
+  split_quadrangle(const halfedge_descriptor h, const halfedge_descriptor g)
   {
     TriangleMesh& tm = m_user.tmesh;
     const face_descriptor f = face(h, tm);
@@ -416,6 +433,7 @@ private:
       put(m_user.face_patch, face(d, tm), patch);
     }
     ++m_number_of_faces;
+    return std::make_pair(f, face(diagonal, tm) == f ? face(opposite(diagonal, tm), tm) : face(diagonal, tm));
   }
 
   void put_point(const vertex_descriptor v, const Vector& p)
