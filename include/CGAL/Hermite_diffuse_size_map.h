@@ -88,8 +88,7 @@ public:
     const auto& pack = Hermite_diffuse_remeshing::internal::pack(np);
     const Input_mesh<TriangleMesh, Geom_traits> input = read_input<Geom_traits>(tmesh, pack);
     m_traits = input.traits;
-    const Size_options options = read_size_options(pack, m_traits, model_diameter(input.triangles),
-                                                   input.face_descriptors);
+    const Size_options options = read_size_options(pack, m_traits, input.triangles, input.face_descriptors);
     m_model = read_model(input, pack);
     m_sizes = make_size_map(*m_model, options, read_face_budget(pack, input.face_descriptors.size()),
                             [](int) { return true; });

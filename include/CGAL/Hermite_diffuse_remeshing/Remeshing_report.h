@@ -75,6 +75,17 @@ struct Remeshing_report
   std::size_t number_of_vertices = 0;      ///< of the whole mesh after remeshing
   /// @}
 
+  /// \name State of the input
+  /// @{
+  /// faces whose height is within the rounding of the coordinates
+  std::size_t number_of_degenerate_input_faces = 0;
+  /// those of them that could not be repaired before the surface was fitted
+  std::size_t number_of_unrepaired_faces = 0;
+  std::size_t number_of_isolated_vertices = 0;   ///< vertices without faces; they stay
+  /// vertices at the place of another; they are not merged
+  std::size_t number_of_coincident_vertices = 0;
+  /// @}
+
   /// \name Quality of the remeshed faces
   /// @{
   double smallest_input_quality = 0.;

@@ -58,19 +58,12 @@ std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTrait
   using parameters::get_parameter;
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
-                                    Static_boolean_property_map<edge_descriptor, false>());
   const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
                                     Static_boolean_property_map<vertex_descriptor, false>());
-  const auto fpm = choose_parameter(get_parameter(pack, internal_np::face_patch),
-                                    Constant_property_map<face_descriptor, int>());
-  const Is_user_edge<TriangleMesh, std::decay_t<decltype(ecm)>, std::decay_t<decltype(fpm)> >
-    is_user_edge{input.tmesh, input.face_descriptors, ecm, fpm};
   return std::unique_ptr<Input_model>(
-    new Input_model(input.triangles, read_feature_options(pack), read_model_options(pack), is_user_edge,
+    new Input_model(input.triangles, read_feature_options(pack), read_model_options(pack),
+                    [&](const int f, const int side) { return input.is_user_side[f][side] != 0; },
                     [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
                     read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress));
 }

@@ -17,6 +17,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/repair_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/write_output_maps.h>
 
 #include <algorithm>
@@ -51,6 +52,8 @@ void describe_input(const Input_mesh<TriangleMesh, GeomTraits>& input, const IsS
   const Quality_statistics quality = measure_quality(input.triangles, is_selected);
   report.smallest_input_quality = report.smallest_quality = quality.smallest;
   report.mean_input_quality = report.mean_quality = quality.mean;
+  report.number_of_isolated_vertices = count_isolated_vertices(input.triangles);
+  report.number_of_coincident_vertices = count_coincident_points(input.triangles.points);
 }
 
 template <typename TriangleMesh>
@@ -104,16 +107,17 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
     choose_parameter(get_parameter(pack, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
   check_positive_parameter("maximum_running_time", maximum_running_time);
 
-  const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
-  const Size_options size_options = read_size_options(pack, input.traits, model_diameter(input.triangles),
-                                                      input.face_descriptors);
+  Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
+  check_is_manifold(tmesh, input.vertex_descriptors, input.triangles);
+  const Size_options size_options = read_size_options(pack, input.traits, input.triangles, input.face_descriptors);
 
-  const std::vector<char> is_remeshed = select_faces(faces, input);
+  std::vector<char> is_remeshed = select_faces(faces, input);
   const auto is_selected = [&](const int f) { return is_remeshed[f] != 0; };
   const std::size_t maximum_number_of_faces = read_face_budget(pack, input.face_descriptors.size());
 
   Remeshing_report<TriangleMesh> report;
   describe_input(input, is_selected, report);
+  const std::vector<Repair> repairs = plan_repairs(input, pack, is_remeshed, report);
   report.maximum_deviation = size_options.maximum_deviation;
   Watched_visitor watched(visitor, report, maximum_running_time);
 
@@ -131,9 +135,13 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   }
   describe_preparation(*model, *sizes, is_remeshed, report);
 
+  // from here on the mesh changes
+  const User user{tmesh, vpm, ecm, fpm, input.traits, watched};
+  if(!repairs.empty())
+    watched.stage("repair", [&] { carry_out_repairs(repairs, user, input); });
   const Reference reference{model->edges, model->vertex_classes, model->curves, model->surface, model->locator,
                             *sizes};
-  Working_mesh<User> mesh(User{tmesh, vpm, ecm, fpm, input.traits, watched}, reference, input.face_descriptors,
+  Working_mesh<User> mesh(user, reference, input.face_descriptors,
                           is_remeshed,
                           [&](const halfedge_descriptor h) { return protect && get(ecm, edge(h, tmesh)); },
                           maximum_number_of_faces);
@@ -150,7 +158,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
 
   fill_report(mesh, deviations, report);
   report.number_of_iterations = remesher.number_of_iterations();
-  write_output_maps(mesh, deviations.faces, pack);
+  write_output_maps(mesh, deviations.faces, input.face_ranks, pack);
   return report;
 }
 

@@ -22,9 +22,11 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Writes where the vertices lie on the input, their sizes and the faces' origins and deviations.
+// Writes where the vertices lie on the input, their sizes and the faces' origins and deviations. Face i of the
+// reference is the one with rank `face_ranks[i]` of the user's mesh.
 template <typename Mesh, typename Deviation, typename Pack>
-void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations, const Pack& pack)
+void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations,
+                       const std::vector<std::size_t>& face_ranks, const Pack& pack)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -43,12 +45,12 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
     if(mesh.index(v) != -1)
     {
       const Location& location = mesh.data(v).site.location;
-      put(location_map, v, std::make_pair(std::size_t(location.face), location.coordinates));
+      put(location_map, v, std::make_pair(face_ranks[location.face], location.coordinates));
       put(size_map, v, mesh.size(v));
     }
   for(const face_descriptor f : faces(mesh.tmesh()))
     if(mesh.is_remeshed(f))
-      put(origin_map, f, std::size_t(mesh.hint(f)));
+      put(origin_map, f, face_ranks[mesh.hint(f)]);
   for(const Deviation& entry : deviations)
     put(deviation_map, entry.face, entry.deviation);
 }
