@@ -76,9 +76,6 @@ class Size_map
   static constexpr double probe_distance = 0.4973;
   // a bisection halves a side: 48 of them in a row reach the rounding of the coordinates
   static constexpr int maximum_number_of_rounds = 48;
-  // Of the whole map, about 100 bytes each: an absurd size in a large face must not eat the memory.
-  // Where it is reached the sizes stay linear in the cells.
-  static constexpr int maximum_number_of_cells = 2000000;
   // Of the user's field, of the whole map: an absurd size must not eat the time either.
   static constexpr double maximum_number_of_probes = 2e7;
 
@@ -125,7 +122,7 @@ public:
       bool is_refined = false;
       const int number_of_cells = m_cells.number_of_cells();
       for(int c = 0; c < number_of_cells; ++c, m_progress(0.))
-        if(m_cells.is_leaf(c) && m_cells.number_of_cells() < maximum_number_of_cells && is_too_coarse(c))
+        if(m_cells.is_leaf(c) && !is_full() && is_too_coarse(c))
         {
           const int k = longest_side(m_cells[c]);
           const int middle = middle_of_side(m_cells[c], k);
@@ -178,6 +175,8 @@ public:
   double scale() const { return m_scale; }
 
 private:
+  bool is_full() const { return m_cells.number_of_cells() >= m_sources.options().maximum_number_of_cells; }
+
   void sample_vertices(const Reference_surface& surface, const Feature_curves& curves)
   {
     const Indexed_triangles& triangles = surface.triangles();

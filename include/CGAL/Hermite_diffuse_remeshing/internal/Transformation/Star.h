@@ -117,6 +117,7 @@ public:
     for(double step = first_step; step >= last_step; )
     {
       const Site center = best;
+      bool is_moved = false;
       for(int i = 0; i < number_of_directions; ++i)
       {
         const double angle = 2. * boost::math::constants::pi<double>() * i / number_of_directions;
@@ -128,9 +129,10 @@ public:
         {
           least = b;
           best = candidate;
+          is_moved = true;
         }
       }
-      if(best.point == center.point)
+      if(!is_moved)
         step /= 2.;
     }
     return best.point == start.point ? start : m_reference.surface_site(best.point, start.location.face);

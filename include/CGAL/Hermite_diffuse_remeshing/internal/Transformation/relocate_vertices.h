@@ -115,6 +115,7 @@ Site better_site_on_curve(const Working_mesh<UserMesh>& mesh,
   for(double step = first_step; step >= last_step; )
   {
     const double center = best.parameter;
+    bool is_moved = false;
     for(const double s : {center - step * length, center + step * length})
     {
       if(s <= ends.first || s >= ends.second)
@@ -125,9 +126,10 @@ Site better_site_on_curve(const Working_mesh<UserMesh>& mesh,
       {
         least = b;
         best = candidate;
+        is_moved = true;
       }
     }
-    if(best.parameter == center)
+    if(!is_moved)
       step /= 2.;
   }
   return best;
