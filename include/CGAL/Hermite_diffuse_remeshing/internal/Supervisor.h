@@ -97,6 +97,8 @@ public:
   void after_edge_collapse(const vertex_descriptor v) { m_visitor.after_edge_collapse(v); }
   void before_edge_flip(const edge_descriptor e) { m_visitor.before_edge_flip(e); }
   void after_edge_flip(const edge_descriptor e) { m_visitor.after_edge_flip(e); }
+  void before_vertex_removal(const vertex_descriptor v) { m_visitor.before_vertex_removal(v); }
+  void after_vertex_removal() { m_visitor.after_vertex_removal(); }
   void before_vertex_relocation(const vertex_descriptor v) { m_visitor.before_vertex_relocation(v); }
   void after_vertex_relocation(const vertex_descriptor v) { m_visitor.after_vertex_relocation(v); }
 
