@@ -132,6 +132,8 @@ struct Counting_visitor
   void after_edge_collapse(const vertex_descriptor v) { assert(v == kept); hook(); }
   void before_edge_flip(edge_descriptor) { hook(); }
   void after_edge_flip(edge_descriptor) { hook(); }
+  void before_vertex_removal(vertex_descriptor) { hook(); }
+  void after_vertex_removal() { hook(); }
   void before_vertex_relocation(const vertex_descriptor v) { moved = v; hook(); }
   void after_vertex_relocation(const vertex_descriptor v) { assert(v == moved); hook(); }
 };
