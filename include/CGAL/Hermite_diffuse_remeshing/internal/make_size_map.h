@@ -26,8 +26,9 @@ template <typename Pack>
 std::size_t read_face_budget(const Pack& pack, const std::size_t number_of_input_faces)
 {
   constexpr std::size_t default_number = 1000000, default_multiple = 10;
-  return parameters::choose_parameter(parameters::get_parameter(pack, internal_np::maximum_number_of_faces),
-                                      (std::max)(default_number, default_multiple * number_of_input_faces));
+  const std::size_t budget =
+    parameters::choose_parameter(parameters::get_parameter(pack, internal_np::maximum_number_of_faces), std::size_t(0));
+  return budget > 0 ? budget : (std::max)(default_number, default_multiple * number_of_input_faces);
 }
 
 // The sizes, scaled so that the faces that `is_selected(face)` takes meet the budget.
