@@ -83,8 +83,6 @@ class Size_map
   static constexpr double probe_distance = 0.4973;
   // a bisection halves a side: 48 of them in a row reach the rounding of the coordinates
   static constexpr int maximum_number_of_rounds = 48;
-  // Of the user's field, of the whole map: an absurd size must not eat the time either.
-  static constexpr double maximum_number_of_probes = 2e7;
 
 public:
   Size_map(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
@@ -380,8 +378,9 @@ private:
   {
     const double step = probe_distance * (std::min)({s[0], s[1], s[2]});
     const int n = static_cast<int>((std::min)(length / step, double((std::numeric_limits<int>::max)() / 2)));
-    for(int i = 0; i <= n; ++i, m_progress(0.))
-      for(int j = 0; i + j <= n && m_number_of_probes < maximum_number_of_probes; ++j, ++m_number_of_probes)
+    const double last_probe = m_sources.options().maximum_number_of_probes;
+    for(int i = 0; i <= n && m_number_of_probes < last_probe; ++i, m_progress(0.))
+      for(int j = 0; i + j <= n && m_number_of_probes < last_probe; ++j, ++m_number_of_probes)
       {
         // the centroids of the upright triangles of a regular partition of the cell
         const Barycentric l = {{(i + 1. / 3.) / (n + 1.), (j + 1. / 3.) / (n + 1.),
