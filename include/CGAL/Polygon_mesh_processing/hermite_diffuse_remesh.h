@@ -58,13 +58,15 @@ public:
   }
 };
 
-// Writes where the vertices lie on the input, their sizes and the faces' origins and deviations.
+// Writes where the vertices lie on the input, their sizes, the classes of the edges and the faces' origins
+// and deviations.
 template <typename Mesh, typename Deviation, typename Pack>
 void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations, const Pack& pack)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  typedef typename Mesh::edge_descriptor edge_descriptor;
   typedef typename Mesh::face_descriptor face_descriptor;
   const auto location_map = choose_parameter(get_parameter(pack, internal_np::vertex_location_map),
     Constant_property_map<vertex_descriptor, std::pair<std::size_t, Barycentric> >());
@@ -74,6 +76,8 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
     Constant_property_map<face_descriptor, std::size_t>());
   const auto deviation_map = choose_parameter(get_parameter(pack, internal_np::face_deviation_map),
     Constant_property_map<face_descriptor, double>());
+  const auto edge_class_map = choose_parameter(get_parameter(pack, internal_np::edge_class_map),
+    Constant_property_map<edge_descriptor, Edge_class>());
 
   for(const vertex_descriptor v : vertices(mesh.tmesh()))
     if(mesh.index(v) != -1)
@@ -82,6 +86,8 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
       put(location_map, v, std::make_pair(std::size_t(location.face), location.coordinates));
       put(size_map, v, mesh.size(v));
     }
+  for(const edge_descriptor e : edges(mesh.tmesh()))
+    put(edge_class_map, e, mesh.edge_class(halfedge(e, mesh.tmesh())));
   for(const Deviation& entry : deviations)
   {
     put(origin_map, entry.face, std::size_t(mesh.hint(entry.face)));
@@ -227,6 +233,14 @@ namespace Polygon_mesh_processing {
  *       can be compared}
  *     \cgalParamDefault{one label}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_policy_map}
+ *     \cgalParamDescription{a decision on each edge, which goes before the rules of the detection and before
+ *       `protect_constraints`: free, sampled anew along its curve, or protected exactly. It is read before
+ *       anything is changed, and not kept up to date.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `edge_descriptor` and value type
+ *       `CGAL::Hermite_diffuse_remeshing::Edge_policy`}
+ *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::DETECTED_EDGE` for all edges}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{polynomial_degree}
  *     \cgalParamDescription{degree of the local polynomial; the paper's is 2}
  *     \cgalParamType{`int`, 2, 3 or 4}
@@ -278,6 +292,12 @@ namespace Polygon_mesh_processing {
  *       `target(halfedge(f))` and the third vertex}
  *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
  *       `std::pair<std::size_t, std::array<double, 3> >`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_class_map}
+ *     \cgalParamDescription{output: what an edge of the result is a piece of}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `edge_descriptor` and value type
+ *       `CGAL::Hermite_diffuse_remeshing::Edge_class`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_origin_map}
@@ -352,6 +372,12 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   const ECM ecm = choose_parameter<ECM>(get_parameter(pack, internal_np::edge_is_constrained));
   const FPM fpm = choose_parameter<FPM>(get_parameter(pack, internal_np::face_patch));
   const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
+  const auto policies = read_edge_policy_map<edge_descriptor>(pack);
+  const auto is_protected = [&](const halfedge_descriptor h)
+  {
+    const edge_descriptor e = edge(h, tmesh);
+    return get(policies, e) == DETECTED_EDGE ? protect && get(ecm, e) : get(policies, e) == PROTECTED_EDGE;
+  };
 
   typedef Default_remeshing_visitor<TriangleMesh> Default_visitor;
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
@@ -408,7 +434,7 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   typedef Working_mesh<User> Mesh;
 
   Mesh mesh(User{tmesh, vpm, ecm, fpm, gt, visitor}, reference, face_descriptors, is_remeshed,
-            [&](const halfedge_descriptor h) { return protect && get(ecm, edge(h, tmesh)); },
+            is_protected,
             maximum_number_of_faces);
   const Quality_statistics input_quality = measure_quality(mesh);
   report.smallest_input_quality = input_quality.smallest;

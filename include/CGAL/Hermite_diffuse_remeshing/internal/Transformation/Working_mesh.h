@@ -54,6 +54,7 @@ private:
   struct Edge
   {
     int curve = -1;                     // -1: interior
+    Edge_class type = INTERIOR_EDGE;
     bool is_protected = false;
     bool is_constrained = false;        // in the user's map
   };
@@ -138,6 +139,7 @@ public:
 
   int curve(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).curve; }
   bool is_on_curve(const halfedge_descriptor h) const { return curve(h) != -1; }
+  Edge_class edge_class(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).type; }
   bool is_protected(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).is_protected; }
 
   bool is_border_or_outside(const halfedge_descriptor h) const
@@ -370,6 +372,7 @@ private:
   {
     Edge data;
     data.curve = m_reference.curves.curve_of_edge[reference_edge];
+    data.type = m_reference.edge_classes[reference_edge];
     data.is_constrained = get(m_user.edge_is_constrained, e);
     data.is_protected = is_frozen;
     put(m_edge, e, data);
