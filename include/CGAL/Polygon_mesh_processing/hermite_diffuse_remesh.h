@@ -58,6 +58,26 @@ public:
   }
 };
 
+// The edges that cannot be changed: those that the user protects, and between what is remeshed and the rest.
+template <typename TriangleMesh, typename FaceDescriptor, typename IsProtected>
+std::vector<char> find_frozen_edges(const TriangleMesh& tmesh, const std::vector<FaceDescriptor>& face_descriptors,
+                                    const Edge_table& edge_table, const std::vector<char>& is_remeshed,
+                                    const IsProtected& is_protected)
+{
+  std::vector<char> result(edge_table.number_of_edges(), false);
+  for(int e = 0; e < edge_table.number_of_edges(); ++e)
+  {
+    const Face_side& side = edge_table.side(e, 0);
+    auto h = halfedge(face_descriptors[side.face], tmesh);
+    for(int k = 0; k < side.side; ++k)
+      h = next(h, tmesh);
+    const bool is_seam = edge_table.number_of_sides(e) == 2
+                      && is_remeshed[side.face] != is_remeshed[edge_table.side(e, 1).face];
+    result[e] = is_seam || is_protected(h);
+  }
+  return result;
+}
+
 // Writes where the vertices lie on the input, their sizes, the classes of the edges and the faces' origins
 // and deviations.
 template <typename Mesh, typename Deviation, typename Pack>
@@ -223,7 +243,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{protect_constraints}
  *     \cgalParamDescription{if `true`, the edges of `edge_is_constrained_map` stay exactly as they are:
- *       neither split, collapsed nor moved}
+ *       neither split, collapsed nor moved. The sizes around start from their lengths: smaller ones grow from
+ *       them with the gradation, larger ones fall to what was asked for with a gradation of 2.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
@@ -418,7 +439,8 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   std::unique_ptr<Size_map> sizes;
   stage("size map", [&]
   {
-    sizes.reset(new Size_map(model->surface, model->edges, model->curves, size_options));
+    sizes.reset(new Size_map(model->surface, model->edges, model->curves, size_options,
+                             find_frozen_edges(tmesh, face_descriptors, model->edges, is_remeshed, is_protected)));
     const auto is_selected = [&is_remeshed](const int f) { return is_remeshed[f] != 0; };
     // the rest is for the places where the sizes do not fit the shape
     constexpr double used_part = 0.9;

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Frozen_lengths.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
@@ -57,6 +58,7 @@ class Size_map
   std::vector<double> m_area_ratios;      // of the surface over the faces
   Pair_map<int> m_middles;
   Pair_map<double> m_curve_sizes;         // curvature's size along the pieces of the feature edges
+  Frozen_lengths m_frozen;
   double m_scale = 1.;                    // of the own sizes, to meet a budget
   bool m_is_sample_lowered = false;       // since the sizes were last graded
 
@@ -78,14 +80,21 @@ class Size_map
   static constexpr int maximum_number_of_cells = 2000000;
 
 public:
+  // `is_edge_frozen`: of the edges of the table; empty if none is
   Size_map(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
-           const Size_options& options)
+           const Size_options& options, const std::vector<char>& is_edge_frozen = std::vector<char>())
     : m_sources(surface, options), m_cells(surface.triangles())
   {
     for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
       m_area_ratios.push_back(m_sources.area_ratio(f));
     sample_vertices(surface, curves);
     sample_curves(edges, curves);
+    for(std::size_t e = 0; e < is_edge_frozen.size(); ++e)
+      if(is_edge_frozen[e])
+      {
+        const std::array<int, 2>& ends = edges.vertices(static_cast<int>(e));
+        m_frozen.add_edge(ends[0], ends[1], (m_samples[ends[1]].position - m_samples[ends[0]].position).norm());
+      }
     refine();
     // From now on the mesh changes, and a field that refers to it with it: what has been read is
     // all that is known.
@@ -277,6 +286,7 @@ private:
       m_samples.push_back({(m_samples[key.first].position + m_samples[key.second].position) / 2.,
                            user_size, user_size});
       m_middles[key] = sample;
+      m_frozen.add_middle(a, b, sample);
       if(is_on_curve)
       {
         const double size = on_curve->second;
@@ -377,6 +387,7 @@ private:
     m_sizes.resize(m_samples.size());
     for(std::size_t i = 0; i < m_samples.size(); ++i)
       m_sizes[i] = asked_size(static_cast<int>(i));
+    m_frozen.lower(m_sizes);
     if(m_sources.options().gradation == 1.)
     {
       // one size for all
@@ -387,8 +398,10 @@ private:
     for(int c = 0; c < m_cells.number_of_cells(); ++c)
       if(m_cells.is_leaf(c))
         leaves.push_back(m_cells[c].samples);
-    limit_gradation(leaves, [this](const int i) -> const Vector& { return m_samples[i].position; },
-                    slope_of_gradation(m_sources.options().gradation), m_sizes);
+    const auto position = [this](const int i) -> const Vector& { return m_samples[i].position; };
+    limit_gradation(leaves, position, slope_of_gradation(m_sources.options().gradation), m_sizes);
+    if(!m_frozen.is_empty())
+      m_frozen.raise(leaves, position, m_sizes);
   }
 };
 
