@@ -177,6 +177,9 @@ public:
     }
   }
 
+  // that an edge of a size may have over a feature curve
+  double largest_sagitta(const double size) const { return m_scale * m_sources.largest_sagitta(size); }
+
   // of the sizes that were asked for
   double scale() const { return m_scale; }
 

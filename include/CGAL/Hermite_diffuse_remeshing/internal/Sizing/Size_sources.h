@@ -70,6 +70,16 @@ public:
            ? (std::min)(relative, length_of_sagitta(m_options.sagitta, radius)) : relative;
   }
 
+  // The distance between an arc and its chord if the chord has a size that the relative error asks for; the other
+  // laws, and a size of the user, ask for no more.
+  double largest_sagitta(const double size) const
+  {
+    if(!(m_options.length_over_radius < std::numeric_limits<double>::infinity()))
+      return std::numeric_limits<double>::infinity();
+    const double half_angle = std::asin((std::min)(1., m_options.length_over_radius / 2.));
+    return size / m_options.length_over_radius * (1. - std::cos(half_angle));
+  }
+
   double of_surface(const Location& location) const
   {
     if(!is_curvature_used())

@@ -41,11 +41,17 @@ class Star
 public:
   explicit Star(const Reference& reference) : m_reference(reference) {}
 
+  // adds the remeshed faces around all copies of v
+  template <typename UserMesh>
+  void add(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v)
+  {
+    mesh.visit_copies(v, [&](const auto copy) { add(mesh, copy, Working_mesh<UserMesh>::Graph_traits::null_vertex()); });
+  }
+
   // adds the remeshed faces around v, without those that have the vertex `skipped`
   template <typename UserMesh>
   void add(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v,
-           const typename Working_mesh<UserMesh>::vertex_descriptor skipped
-             = Working_mesh<UserMesh>::Graph_traits::null_vertex())
+           const typename Working_mesh<UserMesh>::vertex_descriptor skipped)
   {
     const auto& tm = mesh.tmesh();
     for(const auto h : CGAL::halfedges_around_target(v, tm))

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Junctions.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
 
@@ -29,7 +30,8 @@ namespace internal {
 // The one gate to the user's mesh: every Euler operation, every change of a point, of a
 // constraint or of a patch label, and every call of the visitor is made here. Vertices and faces
 // carry numbers that do not depend on descriptors, so that an order by them is the same for
-// every type of mesh.
+// every type of mesh. Copies of a vertex, where sheets of a non-manifold surface meet, have one number;
+// an operation on a vertex or an edge of a junction is carried out on all its copies.
 template <typename UserMesh>
 class Working_mesh
 {
@@ -40,6 +42,8 @@ public:
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Junctions<vertex_descriptor>::Copies Copies;
+  typedef std::vector<halfedge_descriptor> Siblings;
 
   struct Vertex
   {
@@ -70,6 +74,7 @@ private:
   Face_hint_map m_hint;                 // a face of the reference near the face; -1: not to be remeshed
   std::vector<Vertex> m_vertices;
   std::vector<int> m_free_vertices;
+  Junctions<vertex_descriptor> m_junctions;
   std::vector<char> m_is_reference_face_remeshed;
   std::size_t m_number_of_faces = 0;    // that are remeshed
   std::size_t m_maximum_number_of_faces;
@@ -100,6 +105,7 @@ public:
 
     const Indexed_triangles& triangles = reference.surface.triangles();
     std::vector<int> index_of_vertex(triangles.number_of_vertices(), -1);
+    std::vector<Copies> copies_of_vertex(triangles.number_of_vertices());
     for(int f = 0; f < triangles.number_of_faces(); ++f)
     {
       put(m_hint, faces_of_reference[f], is_remeshed[f] ? f : -1);
@@ -110,6 +116,8 @@ public:
         const int v = triangles.triangles[f][k];
         if(index_of_vertex[v] == -1)
           index_of_vertex[v] = make_initial_vertex(f, k);
+        if(get(m_vertex_index, source(h, user.tmesh)) == -1)
+          copies_of_vertex[v].push_back(source(h, user.tmesh));
         put(m_vertex_index, source(h, user.tmesh), index_of_vertex[v]);
         make_initial_edge(edge(h, user.tmesh), reference.edges.edge(f, k), is_edge_frozen(h));
       }
@@ -121,6 +129,8 @@ public:
         m_vertices[index_of_vertex[curve.vertices[i]]].site =
           reference.curve_site(static_cast<int>(c), curve.spline.parameter(static_cast<int>(i)));
     }
+    for(int v = 0; v < triangles.number_of_vertices(); ++v)
+      m_junctions.set(index_of_vertex[v], copies_of_vertex[v]);
     freeze_seam_and_protected_edges();
   }
 
@@ -187,6 +197,43 @@ public:
                                       : m_reference.end_parameter(curve, vertex.reference_vertex);
   }
 
+  // \name Junctions
+  template <typename Visit>
+  void visit_copies(const vertex_descriptor v, const Visit& visit) const { m_junctions.visit_copies(index(v), v, visit); }
+  Copies copies(const vertex_descriptor v) const
+  {
+    Copies result;
+    visit_copies(v, [&result](const vertex_descriptor copy) { result.push_back(copy); });
+    return result;
+  }
+  bool has_copies(const vertex_descriptor v) const { return m_junctions.has(index(v)); }
+
+  // the copies of an edge of a curve, in the direction of h; any other edge is its only copy
+  Siblings siblings(const halfedge_descriptor h) const
+  {
+    const vertex_descriptor s = source(h, tmesh()), t = target(h, tmesh());
+    if(!is_on_curve(h) || (!has_copies(s) && !has_copies(t)))
+      return Siblings(1, h);
+    Siblings result;
+    for(const vertex_descriptor a : copies(s))
+      visit_copies(t, [&](const vertex_descriptor b)
+      {
+        const std::pair<halfedge_descriptor, bool> found = halfedge(a, b, tmesh());
+        if(found.second && curve(found.first) == curve(h))
+          result.push_back(found.first);
+      });
+    return result;
+  }
+
+  // Is there an edge between any copies of two vertices? Another one would be a new junction.
+  bool are_joined(const vertex_descriptor v, const vertex_descriptor w) const
+  {
+    bool result = false;
+    visit_copies(v, [&](const vertex_descriptor a)
+    { visit_copies(w, [&](const vertex_descriptor b) { result = result || halfedge(a, b, tmesh()).second; }); });
+    return result;
+  }
+
   // \name Changes
   // Changes are numbered. An operator that remembers how many there were when it began its last pass
   // needs to look only at what has changed since.
@@ -219,61 +266,33 @@ public:
   // inserts a vertex at a site in the edge of h and joins it to the opposite vertices
   vertex_descriptor split_edge(const halfedge_descriptor h, const Site& site)
   {
-    TriangleMesh& tm = m_user.tmesh;
-    m_user.visitor.before_edge_split(edge(h, tm));
-    const Edge edge_data = get(m_edge, edge(h, tm));
-    const halfedge_descriptor o = opposite(h, tm);
-
-    const halfedge_descriptor h_new = CGAL::Euler::split_edge(h, tm);
-    const vertex_descriptor v = target(h_new, tm);
-    set_edge(edge(h_new, tm), edge_data);
-    if(!CGAL::is_border(h, tm))
-      split_quadrangle(h_new, next(h, tm));
-    if(!CGAL::is_border(o, tm))
-      split_quadrangle(o, next(opposite(h_new, tm), tm));
-
     Vertex vertex;
     vertex.site = site;
-    vertex.type = edge_data.curve == -1 ? SURFACE_VERTEX : CURVE_VERTEX;
-    put(m_vertex_index, v, add_vertex(vertex));
-    put_point(v, site.point);
-    touch_around(v);
+    vertex.type = is_on_curve(h) ? CURVE_VERTEX : SURFACE_VERTEX;
+    const Siblings siblings = this->siblings(h);
+    const int number = add_vertex(vertex);
+    Copies copies;
+    for(const halfedge_descriptor sibling : siblings)
+      copies.push_back(split_sibling(sibling, number));
+    m_junctions.set(number, copies);
+    touch_around(copies.front());
     ++m_counts.splits;
-    m_user.visitor.after_edge_split(v);
-    return v;
+    return copies.front();
   }
 
   // removes the source of h; its target moves to a site
   vertex_descriptor collapse_edge(const halfedge_descriptor h, const Site& site)
   {
-    TriangleMesh& tm = m_user.tmesh;
-    m_user.visitor.before_edge_collapse(h);
-    const halfedge_descriptor o = opposite(h, tm);
-    const int kept = index(target(h, tm)), removed = index(source(h, tm));
-
-    // Euler::collapse_edge() keeps one edge of each of the two triangles, which one depends on the
-    // direction of the edge; ours are the ones at the target
-    struct Kept_edge { vertex_descriptor end; Edge data; };
-    std::vector<Kept_edge> kept_edges;
-    const halfedge_descriptor at_target[2] = {next(h, tm), prev(o, tm)};
-    for(int i = 0; i < 2; ++i)
-      if(!CGAL::is_border(i == 0 ? h : o, tm))
-      {
-        --m_number_of_faces;
-        kept_edges.push_back({i == 0 ? target(at_target[i], tm) : source(at_target[i], tm),
-                              get(m_edge, edge(at_target[i], tm))});
-      }
-
-    const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
-    for(const Kept_edge& e : kept_edges)
-      set_edge(edge(v, e.end, tm).first, e.data);
-    put(m_vertex_index, v, kept);
-    m_free_vertices.push_back(removed);
+    const int kept = index(target(h, tmesh())), removed = index(source(h, tmesh()));
     m_vertices[kept].site = site;
-    put_point(v, site.point);
+    vertex_descriptor v = target(h, tmesh());
+    for(const halfedge_descriptor sibling : siblings(h))
+      v = collapse_sibling(sibling, kept);
+    m_junctions.erase(removed);
+    m_free_vertices.push_back(removed);
+    visit_copies(v, [&](const vertex_descriptor copy) { put_point(copy, site.point); });
     touch_around(v);
     ++m_counts.collapses;
-    m_user.visitor.after_edge_collapse(v);
     return v;
   }
 
@@ -290,10 +309,13 @@ public:
   void relocate(const vertex_descriptor v, const Site& site)
   {
     m_vertices[index(v)].site = site;
-    put_point(v, site.point);
+    visit_copies(v, [&](const vertex_descriptor copy)
+    {
+      put_point(copy, site.point);
+      m_user.visitor.after_vertex_relocation(copy);
+    });
     touch_around(v);
     ++m_counts.relocations;
-    m_user.visitor.after_vertex_relocation(v);
   }
 
   // the size map has changed
@@ -330,8 +352,11 @@ private:
   {
     ++m_number_of_changes;
     touch(v);
-    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-      touch(source(h, tmesh()));
+    visit_copies(v, [&](const vertex_descriptor copy)
+    {
+      for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
+        touch(source(h, tmesh()));
+    });
   }
 
   // the two faces of an edge
@@ -343,6 +368,56 @@ private:
       touch(target(side, tmesh()));
       touch(target(next(side, tmesh()), tmesh()));
     }
+  }
+
+  vertex_descriptor split_sibling(const halfedge_descriptor h, const int number)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    m_user.visitor.before_edge_split(edge(h, tm));
+    const Edge edge_data = get(m_edge, edge(h, tm));
+    const halfedge_descriptor o = opposite(h, tm);
+
+    const halfedge_descriptor h_new = CGAL::Euler::split_edge(h, tm);
+    const vertex_descriptor v = target(h_new, tm);
+    set_edge(edge(h_new, tm), edge_data);
+    if(!CGAL::is_border(h, tm))
+      split_quadrangle(h_new, next(h, tm));
+    if(!CGAL::is_border(o, tm))
+      split_quadrangle(o, next(opposite(h_new, tm), tm));
+    put(m_vertex_index, v, number);
+    put_point(v, m_vertices[number].site.point);
+    m_user.visitor.after_edge_split(v);
+    return v;
+  }
+
+  vertex_descriptor collapse_sibling(const halfedge_descriptor h, const int kept)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    m_user.visitor.before_edge_collapse(h);
+    const halfedge_descriptor o = opposite(h, tm);
+    const vertex_descriptor target_before = target(h, tm);
+
+    // Euler::collapse_edge() keeps one edge of each of the two triangles, which one depends on the
+    // direction of the edge; ours are the ones at the target
+    struct Kept_edge { vertex_descriptor end; Edge data; };
+    std::vector<Kept_edge> kept_edges;
+    const halfedge_descriptor at_target[2] = {next(h, tm), prev(o, tm)};
+    for(int i = 0; i < 2; ++i)
+      if(!CGAL::is_border(i == 0 ? h : o, tm))
+      {
+        --m_number_of_faces;
+        kept_edges.push_back({i == 0 ? target(at_target[i], tm) : source(at_target[i], tm),
+                              get(m_edge, edge(at_target[i], tm))});
+      }
+
+    const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
+    for(const Kept_edge& e : kept_edges)
+      set_edge(edge(v, e.end, tm).first, e.data);
+    put(m_vertex_index, v, kept);
+    m_junctions.replace(kept, target_before, v);
+    put_point(v, m_vertices[kept].site.point);
+    m_user.visitor.after_edge_collapse(v);
+    return v;
   }
 
   int make_initial_vertex(const int face, const int corner)

@@ -10,9 +10,11 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_SPLIT_LONG_EDGES_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -43,20 +45,30 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
   constexpr double share_of_half = 0.4;
   const Reference& reference = mesh.reference();
   Worth before, after;
-  for(const auto side : {h, opposite(h, mesh.tmesh())})
-  {
-    if(mesh.is_border_or_outside(side))
-      continue;
-    before.add(face_worth(mesh, side));
-    const Site& opposite_site = mesh.site(target(next(side, mesh.tmesh()), mesh.tmesh()));
-    after.add(worth(reference, mesh.site(source(side, mesh.tmesh())), site, opposite_site, mesh.hint(side)));
-    after.add(worth(reference, site, mesh.site(target(side, mesh.tmesh())), opposite_site, mesh.hint(side)));
-  }
+  const auto siblings = mesh.siblings(h);
+  std::vector<int> opposite_vertices;
+  for(const auto sibling : siblings)
+    for(const auto side : {sibling, opposite(sibling, mesh.tmesh())})
+    {
+      if(mesh.is_border_or_outside(side))
+        continue;
+      before.add(face_worth(mesh, side));
+      const auto c = target(next(side, mesh.tmesh()), mesh.tmesh());
+      opposite_vertices.push_back(mesh.index(c));
+      after.add(worth(reference, mesh.site(source(side, mesh.tmesh())), site, mesh.site(c), mesh.hint(side)));
+      after.add(worth(reference, site, mesh.site(target(side, mesh.tmesh())), mesh.site(c), mesh.hint(side)));
+    }
+  // two sheets must not be joined by a second junction
+  std::sort(opposite_vertices.begin(), opposite_vertices.end());
+  if(siblings.size() > 1
+     && std::adjacent_find(opposite_vertices.begin(), opposite_vertices.end()) != opposite_vertices.end())
+    return false;
   return is_score_acceptable(after.score, share_of_half * before.score, score_floor);
 }
 
-// Splits the edges that are longer than `bound` times their size, longest first; edges that are
-// still too long after that are met again in the next round. Lengths halve, so the rounds end.
+// Splits the edges that are longer than `bound` times their size, or too far from their feature curve, longest
+// first; edges that are still too long after that are met again in the next round. Lengths halve, so the
+// rounds end.
 template <typename UserMesh>
 std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound)
 {
@@ -68,7 +80,7 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound)
   {
     const std::size_t before_round = mesh.counts().splits;
     const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h, const double length)
-                                     { return length > bound && !mesh.is_protected(h); });
+                                     { return (length > bound || !is_faithful(mesh, h)) && !mesh.is_protected(h); });
     for(const auto& candidate : queue)
     {
       if(mesh.is_stopped() || mesh.is_full())
