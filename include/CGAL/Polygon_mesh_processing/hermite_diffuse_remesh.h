@@ -11,18 +11,12 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/remesh_surface.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
-#include <CGAL/Real_timer.h>
-
-#include <algorithm>
 #include <limits>
-#include <memory>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -30,53 +24,6 @@
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
-
-// Tells the visitor and the report of a stage.
-template <typename TriangleMesh, typename Visitor>
-class Stage_clock
-{
-  Remeshing_report<TriangleMesh>& m_report;
-  Visitor& m_visitor;
-  Real_timer m_timer;
-
-public:
-  Stage_clock(Remeshing_report<TriangleMesh>& report, Visitor& visitor)
-    : m_report(report), m_visitor(visitor)
-  {}
-
-  template <typename Work>
-  void operator()(const char* name, const Work& work)
-  {
-    m_visitor.stage_begins(name);
-    m_timer.reset();
-    m_timer.start();
-    work();
-    m_timer.stop();
-    m_report.stages.push_back(std::make_pair(std::string(name), m_timer.time()));
-    m_report.seconds += m_timer.time();
-    m_visitor.stage_ends(name);
-  }
-};
-
-// The edges that cannot be changed: those that the user protects, and between what is remeshed and the rest.
-template <typename TriangleMesh, typename FaceDescriptor, typename IsProtected>
-std::vector<char> find_frozen_edges(const TriangleMesh& tmesh, const std::vector<FaceDescriptor>& face_descriptors,
-                                    const Edge_table& edge_table, const std::vector<char>& is_remeshed,
-                                    const IsProtected& is_protected)
-{
-  std::vector<char> result(edge_table.number_of_edges(), false);
-  for(int e = 0; e < edge_table.number_of_edges(); ++e)
-  {
-    const Face_side& side = edge_table.side(e, 0);
-    auto h = halfedge(face_descriptors[side.face], tmesh);
-    for(int k = 0; k < side.side; ++k)
-      h = next(h, tmesh);
-    const bool is_seam = edge_table.number_of_sides(e) == 2
-                      && is_remeshed[side.face] != is_remeshed[edge_table.side(e, 1).face];
-    result[e] = is_seam || is_protected(h);
-  }
-  return result;
-}
 
 // Writes where the vertices lie on the input, their sizes, the classes of the edges and the faces' origins
 // and deviations.
@@ -417,18 +364,6 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   std::vector<face_descriptor> face_descriptors;
   const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
   const Size_options size_options = read_size_options(pack, gt, model_diameter(triangles), face_descriptors);
-  const double maximum_deviation = size_options.maximum_deviation;
-
-  Remeshing_report<TriangleMesh> report;
-  report.number_of_input_faces = face_descriptors.size();
-  report.maximum_deviation = maximum_deviation;
-  Stage_clock<TriangleMesh, Visitor> stage(report, visitor);
-
-  std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
-  std::unique_ptr<Input_model> model;
-  stage("model", [&]
-  { model = read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack); });
-
   auto face_rank = get(CGAL::dynamic_face_property_t<int>(), tmesh);
   for(std::size_t i = 0; i < face_descriptors.size(); ++i)
     put(face_rank, face_descriptors[i], static_cast<int>(i));
@@ -436,48 +371,13 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   for(const face_descriptor f : faces)
     is_remeshed[get(face_rank, f)] = true;
 
-  std::unique_ptr<Size_map> sizes;
-  stage("size map", [&]
-  {
-    sizes.reset(new Size_map(model->surface, model->edges, model->curves, size_options,
-                             find_frozen_edges(tmesh, face_descriptors, model->edges, is_remeshed, is_protected)));
-    const auto is_selected = [&is_remeshed](const int f) { return is_remeshed[f] != 0; };
-    // the rest is for the places where the sizes do not fit the shape
-    constexpr double used_part = 0.9;
-    sizes->limit_number_of_faces(used_part * double(maximum_number_of_faces), is_selected);
-    report.size_scale = sizes->scale();
-    report.predicted_number_of_faces = sizes->number_of_faces(is_selected)
-                                     + double(std::count(is_remeshed.begin(), is_remeshed.end(), false));
-  });
-
-  const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves,
-                            model->surface, model->locator, *sizes};
-  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> User;
-  typedef Working_mesh<User> Mesh;
-
-  Mesh mesh(User{tmesh, vpm, ecm, fpm, gt, visitor}, reference, face_descriptors, is_remeshed,
-            is_protected,
-            maximum_number_of_faces);
-  const Quality_statistics input_quality = measure_quality(mesh);
-  report.smallest_input_quality = input_quality.smallest;
-  report.mean_input_quality = input_quality.mean;
-
-  Remesher<User> remesher(mesh, static_cast<int>(iterations));
-  stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
-  if(!mesh.is_stopped())
-    stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
-
-  Deviations<User> deviations;
-  stage("deviation", [&]
-  { deviations = enforce_deviation(mesh, *sizes, remesher, maximum_deviation, report.stop_reason); });
-
-  fill_report(mesh, deviations, report);
-  report.number_of_iterations = remesher.number_of_iterations();
-  report.number_of_corners = std::count_if(model->vertex_classes.begin(), model->vertex_classes.end(), is_corner);
-  report.number_of_feature_edges = std::count_if(model->edge_classes.begin(), model->edge_classes.end(), is_feature);
-  report.number_of_curves = model->curves.curves.size();
-  write_output_maps(mesh, deviations.faces, pack);
-  return report;
+  const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
+  const User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> user{tmesh, vpm, ecm, fpm, gt, visitor};
+  return remesh_surface(user, face_descriptors, is_remeshed,
+                        Remeshing_options{size_options, static_cast<int>(iterations), maximum_number_of_faces},
+    [&] { return read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack); },
+    is_protected,
+    [&](const auto& mesh, const auto& deviations) { write_output_maps(mesh, deviations, pack); });
 }
 
 /*!
