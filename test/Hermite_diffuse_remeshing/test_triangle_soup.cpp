@@ -1,6 +1,7 @@
 #include "soups.h"
 #include "test_helpers.h"
 
+#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh_triangle_soup.h>
 
 #include <map>
@@ -146,9 +147,8 @@ void check(const Soup& input, const Soup& output, const double distance, const s
   assert((incoherent(oriented) == 0) == (incoherent(after) == 0));
 }
 
-void test(const std::string& name, const soups::Soup& given, const std::set<int>& valences)
+void test(const std::string& name, const Soup& input, const std::set<int>& valences)
 {
-  const Soup input = make_soup(given);
   const Indexed_triangles before = indexed(input);
   for(const auto& entry : Special_edges(before).of_valence)
     assert(valences.count(entry.first) == 1);
@@ -178,14 +178,39 @@ void test(const std::string& name, const soups::Soup& given, const std::set<int>
   }
 }
 
-int main()
+// one soup of several files, each with a label of its own; points that are equal are joined
+Soup read_soups(char** first, char** last)
 {
-  test("three sheets", soups::three_sheets(12), {1, 3});
-  test("T of plates", soups::t_of_plates(8), {1, 3});
-  test("two cubes", soups::two_cubes(8), {3});
-  test("two cones", soups::two_cones(10), {});
-  test("Moebius strip", soups::moebius_strip(6), {1});
-  test("three balls", soups::three_balls(8), {3});
+  soups::Soup soup;
+  for(char** file = first; file != last; ++file)
+  {
+    std::vector<Point_3> points;
+    std::vector<std::vector<std::size_t> > triangles;
+    const bool is_read = CGAL::IO::read_polygon_soup(*file, points, triangles);
+    assert(is_read);
+    std::vector<std::size_t> index;
+    for(const Point_3& p : points)
+      index.push_back(soup.point({{p.x(), p.y(), p.z()}}));
+    for(const std::vector<std::size_t>& t : triangles)
+      soup.triangle(index[t[0]], index[t[1]], index[t[2]], int(file - first));
+  }
+  return make_soup(soup);
+}
+
+int main(int argc, char** argv)
+{
+  // a complex may be given by its files, as CGAL's polyhedral_complex_of_spheres: three sheets meet at a junction
+  if(argc > 1)
+  {
+    test("files", read_soups(argv + 1, argv + argc), {3});
+    return EXIT_SUCCESS;
+  }
+  test("three sheets", make_soup(soups::three_sheets(12)), {1, 3});
+  test("T of plates", make_soup(soups::t_of_plates(8)), {1, 3});
+  test("two cubes", make_soup(soups::two_cubes(8)), {3});
+  test("two cones", make_soup(soups::two_cones(10)), {});
+  test("Moebius strip", make_soup(soups::moebius_strip(6)), {1});
+  test("three balls", make_soup(soups::three_balls(8)), {3});
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }
