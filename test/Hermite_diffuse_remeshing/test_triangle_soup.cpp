@@ -208,9 +208,9 @@ int main(int argc, char** argv)
   test("three sheets", make_soup(soups::three_sheets(12)), {1, 3});
   test("T of plates", make_soup(soups::t_of_plates(8)), {1, 3});
   test("two cubes", make_soup(soups::two_cubes(8)), {3});
-  test("two cones", make_soup(soups::two_cones(10)), {});
+  test("two cones", make_soup(soups::two_cones(7)), {});
   test("Moebius strip", make_soup(soups::moebius_strip(6)), {1});
-  test("three balls", make_soup(soups::three_balls(8)), {3});
+  test("three balls", make_soup(soups::three_balls(5)), {3});
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }
