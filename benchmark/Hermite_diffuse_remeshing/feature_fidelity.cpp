@@ -1,5 +1,6 @@
 // How far the feature curves of a result are from those of the input: corners that are missing, the two-sided
-// distance relative to the diagonal, and by how much it exceeds the sagitta that the error law allows there.
+// distance between the feature edges, relative to the diagonal, and by how much that to the splines exceeds the
+// sagitta that the error law allows there.
 //
 //   feature_fidelity [FILE...]
 

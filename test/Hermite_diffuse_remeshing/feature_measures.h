@@ -1,12 +1,14 @@
 #ifndef FEATURE_MEASURES_H
 #define FEATURE_MEASURES_H
 
-// Feature curves of a mesh and of what it was remeshed to, compared independently of the splines.
+// Feature curves of a mesh and of what it was remeshed to: the edges of the one against the edges of the other, and
+// against the splines through the vertices of the input, to which the error law refers.
 
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_features.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
@@ -83,13 +85,48 @@ inline double sagitta(const double size, const double error)
   return size / length_over_radius * (1. - std::sqrt(1. - half * half));
 }
 
+// the splines as fine polylines
+template <typename Mesh>
+std::vector<Edge<typename Mesh::Point> > feature_splines(const Mesh& mesh, const Maps<Mesh>& maps)
+{
+  using namespace HDR::internal;
+  typedef typename Mesh::Point Point;
+  typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
+  std::vector<typename Mesh::Face_index> faces;
+  const Indexed_triangles triangles = read_triangles(mesh, mesh.points(), Kernel(), faces);
+  const Edge_table table(triangles);
+  std::vector<HDR::Edge_class> edge_classes(table.number_of_edges());
+  for(int f = 0; f < triangles.number_of_faces(); ++f)
+  {
+    auto h = mesh.halfedge(faces[f]);
+    for(int k = 0; k < 3; ++k, h = mesh.next(h))
+      edge_classes[table.edge(f, k)] = maps.edge_classes[mesh.edge(h)];
+  }
+  std::vector<HDR::Vertex_class> vertex_classes;
+  for(const auto v : vertices(mesh))
+    vertex_classes.push_back(maps.vertex_classes[v]);
+  std::vector<Edge<Point> > result;
+  const int n = 8;
+  for(const Feature_curve& curve : chain_feature_edges(triangles, table, edge_classes, vertex_classes).curves)
+    for(int i = 0; i < curve.spline.number_of_segments(); ++i)
+    {
+      const double s = curve.spline.parameter(i), length = curve.spline.parameter(i + 1) - s;
+      for(int k = 0; k < n; ++k)
+      {
+        const Vector p = curve.spline.point(s + length * k / n), q = curve.spline.point(s + length * (k + 1) / n);
+        result.push_back({Point(p[0], p[1], p[2]), Point(q[0], q[1], q[2]), 0.});
+      }
+    }
+  return result;
+}
+
 struct Fidelity
 {
   std::size_t number_of_corners = 0, number_of_missing_corners = 0;
   std::size_t number_of_edges = 0;
   double diagonal = 0.;
   double largest_distance = 0.;         // two-sided, between the feature edges of input and result
-  double largest_excess = 0.;           // of a distance over the sagitta there
+  double largest_excess = 0.;           // of the two-sided distance to the splines over the sagitta there
 };
 
 // remeshes, and compares the feature edges
@@ -121,21 +158,23 @@ Fidelity measure(const Mesh& input, Mesh& output, const double error, const Name
 
   const std::vector<Edge<Point> > old_edges = feature_edges(classified, before), new_edges = feature_edges(output, after);
   result.number_of_edges = new_edges.size();
-  const auto add = [&](const double distance, const double size)
-  {
-    result.largest_distance = (std::max)(result.largest_distance, distance);
-    result.largest_excess = (std::max)(result.largest_excess, distance - sagitta(size, error));
-  };
+  const std::vector<Edge<Point> > splines = feature_splines(classified, before);
   const int n = 8;
   for(const Edge<Point>& edge : new_edges)
     for(int i = 0; i < n; ++i)
-      add(closest(old_edges, edge.at(double(i) / n)).second, edge.size);
+    {
+      const Point p = edge.at(double(i) / n);
+      result.largest_distance = (std::max)(result.largest_distance, closest(old_edges, p).second);
+      result.largest_excess = (std::max)(result.largest_excess, closest(splines, p).second - sagitta(edge.size, error));
+    }
   for(const Edge<Point>& edge : old_edges)
     for(int i = 0; i < n; ++i)
-    {
-      const std::pair<std::size_t, double> nearest = closest(new_edges, edge.at(double(i) / n));
-      add(nearest.second, new_edges[nearest.first].size);
-    }
+      result.largest_distance = (std::max)(result.largest_distance, closest(new_edges, edge.at(double(i) / n)).second);
+  for(const Edge<Point>& piece : splines)
+  {
+    const std::pair<std::size_t, double> nearest = closest(new_edges, piece.source);
+    result.largest_excess = (std::max)(result.largest_excess, nearest.second - sagitta(new_edges[nearest.first].size, error));
+  }
   return result;
 }
 

@@ -203,7 +203,8 @@ void test_policies()
       const double slope = HDR::internal::slope_of_gradation(length > 0.05 ? 1.3 : 2.);
       const double graded = length > 0.05 ? (std::min)(length, 0.05 + slope * distance)
                                           : (std::max)(length, 0.05 - slope * distance);
-      assert(std::abs(sizes[v] - graded) < 0.1 * graded);
+      // the map is linear where it varies by less than a quarter
+      assert(std::abs(sizes[v] - graded) < 0.25 * graded);
     }
   }
 }
@@ -232,8 +233,171 @@ void test_free_edges()
   }
 }
 
+// corners bit for bit, and curves as close to those of the input as the error law says
+void test_fidelity(const std::string& name, const Surface_mesh& input, const std::size_t number_of_corners,
+                   const double error)
+{
+  Surface_mesh output;
+  const features::Fidelity f = features::measure(input, output, error, params::sharp_dihedral_angle(40.));
+  std::cout << name << ", error " << error << ": distance " << f.largest_distance / f.diagonal << ", excess "
+            << f.largest_excess / f.diagonal << std::endl;
+  check_result(input, output);
+  assert(f.number_of_corners == number_of_corners && f.number_of_missing_corners == 0);
+  assert(f.largest_excess <= 2e-4 * f.diagonal);
+  assert(f.largest_distance <= 0.2 * error * f.diagonal);
+}
+
+// distances from the straight lines that the edges of a cube and of a plate lie on
+void test_straight_edges()
+{
+  std::cout << "straight edges" << std::endl;
+  const Surface_mesh input = read_data<Surface_mesh>("cube.off");
+  for(const double length : {0.1, 1.5})
+  {
+    Surface_mesh mesh = input;
+    auto classes = mesh.add_property_map<Edge_index, HDR::Edge_class>("e:class").first;
+    PMP::hermite_diffuse_remesh(mesh, params::maximum_edge_length(length).edge_class_map(classes));
+    for(const auto e : edges(mesh))
+      if(HDR::is_feature(classes[e]))
+        for(const int i : {0, 1})
+        {
+          const Point_3& p = mesh.point(mesh.vertex(e, i));
+          const int number = int(std::abs(std::abs(p.x()) - 1.) < 1e-12) + int(std::abs(std::abs(p.y()) - 1.) < 1e-12)
+                           + int(std::abs(std::abs(p.z()) - 1.) < 1e-12);
+          assert(number >= 2);
+        }
+  }
+}
+
+// the rims of a cylinder of 48 sides are circles again when they have 96 and 24
+void test_circles()
+{
+  std::cout << "circles" << std::endl;
+  const Surface_mesh input = features::capped_cylinder<Surface_mesh>(48);
+  for(const int number : {96, 24})
+  {
+    Surface_mesh mesh = input;
+    auto classes = mesh.add_property_map<Edge_index, HDR::Edge_class>("e:class").first;
+    const double length = 2. * analytic::pi / number;
+    PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).maximum_edge_length(length)
+                                        .minimum_edge_length(length / 2.).edge_class_map(classes));
+    std::size_t edges_on_rims = 0;
+    double worst = 0.;
+    for(const auto e : edges(mesh))
+      if(HDR::is_feature(classes[e]))
+      {
+        ++edges_on_rims;
+        for(const int i : {0, 1})
+        {
+          const Point_3& p = mesh.point(mesh.vertex(e, i));
+          worst = (std::max)(worst, std::abs(std::hypot(p.x(), p.y()) - 1.));
+          assert(std::abs(std::abs(p.z()) - 1.) < 1e-12);
+        }
+      }
+    std::cout << "  " << edges_on_rims / 2. << " sides, " << worst << " from the circle" << std::endl;
+    assert(worst < 1e-4);
+    assert(edges_on_rims > 1.6 * number && edges_on_rims < 2.8 * number);
+  }
+}
+
+struct Border
+{
+  double length = 0.;
+  std::size_t number_of_loops = 0;
+
+  explicit Border(const Surface_mesh& mesh) : number_of_loops(number_of_border_loops(mesh))
+  {
+    for(const auto h : halfedges(mesh))
+      if(is_border(h, mesh))
+        length += PMP::edge_length(h, mesh);
+  }
+};
+
+void test_border(const std::string& name, const Surface_mesh& input, const double error)
+{
+  Surface_mesh mesh = input;
+  PMP::hermite_diffuse_remesh(mesh, params::approximation_error(error));
+  const Border before(input), after(mesh);
+  std::cout << name << ": " << before.number_of_loops << " loops, border " << before.length << " -> " << after.length
+            << " (" << 100. * (after.length / before.length - 1.) << " %)" << std::endl;
+  assert(CGAL::is_valid_polygon_mesh(mesh) && euler_characteristic(mesh) == euler_characteristic(input));
+  assert(has_all_points(mesh, corners(input)));
+  assert(before.number_of_loops > 0 && after.number_of_loops == before.number_of_loops);
+  assert(std::abs(after.length / before.length - 1.) < 0.005);
+}
+
+// a square plate with a round hole
+Surface_mesh plate_with_hole()
+{
+  Surface_mesh mesh;
+  const int n = 48, rows = 6;
+  std::vector<std::vector<Vertex_index> > ring(rows + 1);
+  for(int j = 0; j <= rows; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      const double s = 2. * analytic::pi * i / n, c = std::cos(s), d = std::sin(s);
+      const double square = 1. / (std::max)(std::abs(c), std::abs(d)), r = 0.4 + (square - 0.4) * j / rows;
+      // the outer vertices exactly on the lines
+      const auto snap = [&](const double x) { return j == rows && std::abs(std::abs(x) - 1.) < 1e-9 ? std::copysign(1., x) : x; };
+      ring[j].push_back(mesh.add_vertex(Point_3(snap(r * c), snap(r * d), 0.)));
+    }
+  for(int j = 0; j < rows; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      const int k = (i + 1) % n;
+      mesh.add_face(ring[j][i], ring[j+1][i], ring[j+1][k]);
+      mesh.add_face(ring[j][i], ring[j+1][k], ring[j][k]);
+    }
+  return mesh;
+}
+
+Surface_mesh half_sphere()
+{
+  Surface_mesh mesh;
+  const int n = 48, rows = 12;
+  const Vertex_index pole = mesh.add_vertex(Point_3(0, 0, 1));
+  std::vector<std::vector<Vertex_index> > ring(rows + 1);
+  for(int j = 1; j <= rows; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      const double s = 2. * analytic::pi * i / n, t = analytic::pi / 2. * j / rows;
+      ring[j].push_back(mesh.add_vertex(Point_3(std::sin(t) * std::cos(s), std::sin(t) * std::sin(s), std::cos(t))));
+    }
+  for(int i = 0; i < n; ++i)
+  {
+    const int k = (i + 1) % n;
+    mesh.add_face(pole, ring[1][i], ring[1][k]);
+    for(int j = 1; j < rows; ++j)
+    {
+      mesh.add_face(ring[j][i], ring[j+1][i], ring[j+1][k]);
+      mesh.add_face(ring[j][i], ring[j+1][k], ring[j][k]);
+    }
+  }
+  return mesh;
+}
+
+void test_borders()
+{
+  std::cout << "borders" << std::endl;
+  for(const double error : {0.02, 0.01})
+  {
+    test_border("plate", plate_with_hole(), error);         // its corners are checked, too
+    test_border("half sphere", half_sphere(), error);
+    for(const char* name : {"blobby_3cc.off", "patch-01.off", "elephant-with-holes.off", "horizons.off"})
+      test_border(name, read_data<Surface_mesh>(name), error);
+  }
+}
+
 int main()
 {
+  test_fidelity("cube", read_data<Surface_mesh>("cube.off"), 8, 0.02);
+  test_fidelity("fandisk", read_data<Surface_mesh>("fandisk.off"), 25, 0.02);
+  test_fidelity("anchor_dense", read_data<Surface_mesh>("anchor_dense.off"), 16, 0.02);
+  test_fidelity("joint", read_data<Surface_mesh>("joint.off"), 12, 0.005);
+  test_fidelity("cylinder", features::capped_cylinder<Surface_mesh>(48), 0, 0.005);
+  test_straight_edges();
+  test_circles();
+  test_borders();
   test_detection();
   test_user_features();
   test_policies();
