@@ -106,22 +106,15 @@ public:
                                    const NamedParameters& np = parameters::default_values())
     : m_rank(get(CGAL::dynamic_face_property_t<int>(), tmesh))
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
     using namespace Hermite_diffuse_remeshing::internal;
 
     const auto& pack = Hermite_diffuse_remeshing::internal::pack(np);
-    static_assert(std::is_floating_point<FT>::value,
-                  "Hermite_diffuse_surface needs a kernel with floating point coordinates: "
-                  "its constructions are least-squares fits, which are not exact");
-    m_traits = choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits));
-    const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                                      get_const_property_map(CGAL::vertex_point, tmesh));
-    const Indexed_triangles triangles = read_triangles(tmesh, vpm, m_traits, m_faces);
+    const Input_mesh<TriangleMesh, Geom_traits> input = read_input<Geom_traits>(tmesh, pack);
+    m_traits = input.traits;
+    m_faces = input.face_descriptors;
     for(std::size_t i = 0; i < m_faces.size(); ++i)
       put(m_rank, m_faces[i], static_cast<int>(i));
-    const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
-    m_model = read_model(tmesh, triangles, vertex_descriptors, m_faces, m_traits, pack);
+    m_model = read_model(input, pack);
     m_model->keep_surface_only();
   }
 

@@ -203,8 +203,8 @@ void test_policies()
       const double slope = HDR::internal::slope_of_gradation(length > 0.05 ? 1.3 : 2.);
       const double graded = length > 0.05 ? (std::min)(length, 0.05 + slope * distance)
                                           : (std::max)(length, 0.05 - slope * distance);
-      // the map is linear where it varies by less than a quarter
-      assert(std::abs(sizes[v] - graded) < 0.25 * graded);
+      // the map is linear in the cells, which the size of the input limits here
+      assert(std::abs(sizes[v] - graded) < 0.4 * graded);
     }
   }
 }

@@ -65,6 +65,13 @@ public:
   /// is called after the edge `e` was flipped.
   void after_edge_flip(edge_descriptor e);
 
+  /// is called before the vertex `v`, inside the surface, is removed with its edges, and the polygon around
+  /// it is filled with other edges.
+  void before_vertex_removal(vertex_descriptor v);
+
+  /// is called after a vertex was removed.
+  void after_vertex_removal();
+
   /// is called after the vertex `v` was given another point.
   void after_vertex_relocation(vertex_descriptor v);
 

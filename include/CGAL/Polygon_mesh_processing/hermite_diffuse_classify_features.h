@@ -10,7 +10,8 @@
 #define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CLASSIFY_FEATURES_H
 
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <type_traits>
@@ -109,42 +110,35 @@ void hermite_diffuse_classify_features(const TriangleMesh& tmesh, const EdgeClas
                                        const VertexClassMap vertex_class_map,
                                        const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using namespace CGAL::Hermite_diffuse_remeshing::internal;
   using CGAL::Hermite_diffuse_remeshing::Edge_class;
   using CGAL::Hermite_diffuse_remeshing::Vertex_class;
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-
   const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
-  typedef std::decay_t<decltype(pack)> Pack;
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
-  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
-  const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, tmesh));
+  typedef Traits_of<TriangleMesh, std::decay_t<decltype(pack)> > GT;
   const Feature_options options = read_feature_options(pack);
-  std::vector<typename Graph_traits::face_descriptor> face_descriptors;
-  const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
-  const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
+  const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
+  const Indexed_triangles& triangles = input.triangles;
+  const auto vertex_is_constrained = parameters::choose_parameter(
+    parameters::get_parameter(pack, internal_np::vertex_is_constrained),
+    Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, false>());
 
   const Edge_table edge_table(triangles);
   const std::vector<Edge_class> edge_classes =
-    classify_edges(triangles, edge_table, options.sharp_angle, read_edge_marks(tmesh, face_descriptors, pack));
+    classify_edges(triangles, edge_table, options.sharp_angle,
+                   [&](const int f, const int side) { return input.side_marks[f][side]; });
   const Cut_mesh cut_mesh(triangles, edge_table, edge_classes);
   const std::vector<Vertex_class> vertex_classes =
     classify_vertices(triangles, edge_table, edge_classes, cut_mesh, options.corner_angle, options.apex_defect,
-                      read_vertex_marks(vertex_descriptors, pack));
+                      [&](const int v) -> bool { return get(vertex_is_constrained, input.vertex_descriptors[v]); });
 
   for(int f = 0; f < triangles.number_of_faces(); ++f)
   {
-    halfedge_descriptor h = halfedge(face_descriptors[f], tmesh);
+    auto h = halfedge(input.face_descriptors[f], tmesh);
     for(int k = 0; k < 3; ++k, h = next(h, tmesh))
       put(edge_class_map, edge(h, tmesh), edge_classes[edge_table.edge(f, k)]);
   }
   for(int v = 0; v < triangles.number_of_vertices(); ++v)
-    put(vertex_class_map, vertex_descriptors[v], vertex_classes[v]);
+    put(vertex_class_map, input.vertex_descriptors[v], vertex_classes[v]);
 }
 
 } // namespace Polygon_mesh_processing

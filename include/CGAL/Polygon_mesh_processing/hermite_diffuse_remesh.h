@@ -11,60 +11,14 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/remesh_surface.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/remesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
-#include <limits>
-#include <type_traits>
-#include <utility>
+#include <boost/graph/graph_traits.hpp>
+
 #include <vector>
 
 namespace CGAL {
-namespace Hermite_diffuse_remeshing {
-namespace internal {
-
-// Writes where the vertices lie on the input, their sizes, the classes of the edges and the faces' origins
-// and deviations.
-template <typename Mesh, typename Deviation, typename Pack>
-void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations, const Pack& pack)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename Mesh::vertex_descriptor vertex_descriptor;
-  typedef typename Mesh::edge_descriptor edge_descriptor;
-  typedef typename Mesh::face_descriptor face_descriptor;
-  const auto location_map = choose_parameter(get_parameter(pack, internal_np::vertex_location_map),
-    Constant_property_map<vertex_descriptor, std::pair<std::size_t, Barycentric> >());
-  const auto size_map = choose_parameter(get_parameter(pack, internal_np::vertex_size_map),
-    Constant_property_map<vertex_descriptor, double>());
-  const auto origin_map = choose_parameter(get_parameter(pack, internal_np::face_origin_map),
-    Constant_property_map<face_descriptor, std::size_t>());
-  const auto deviation_map = choose_parameter(get_parameter(pack, internal_np::face_deviation_map),
-    Constant_property_map<face_descriptor, double>());
-  const auto edge_class_map = choose_parameter(get_parameter(pack, internal_np::edge_class_map),
-    Constant_property_map<edge_descriptor, Edge_class>());
-
-  for(const vertex_descriptor v : vertices(mesh.tmesh()))
-    if(mesh.index(v) != -1)
-    {
-      const Location& location = mesh.data(v).site.location;
-      put(location_map, v, std::make_pair(std::size_t(location.face), location.coordinates));
-      put(size_map, v, mesh.size(v));
-    }
-  for(const edge_descriptor e : edges(mesh.tmesh()))
-    put(edge_class_map, e, mesh.edge_class(halfedge(e, mesh.tmesh())));
-  for(const Deviation& entry : deviations)
-  {
-    put(origin_map, entry.face, std::size_t(mesh.hint(entry.face)));
-    put(deviation_map, entry.face, entry.deviation);
-  }
-}
-
-} // namespace internal
-} // namespace Hermite_diffuse_remeshing
-
 namespace Polygon_mesh_processing {
 
 /*!
@@ -310,74 +264,8 @@ Hermite_diffuse_remeshing::Remeshing_report<TriangleMesh>
 hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
                        const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
-  using namespace CGAL::Hermite_diffuse_remeshing;
-  using namespace CGAL::Hermite_diffuse_remeshing::internal;
-
-  const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
-  typedef std::decay_t<decltype(pack)> Pack;
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
-
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
-  typedef typename GetVertexPointMap<TriangleMesh, Pack>::type VPM;
-  static_assert(std::is_floating_point<typename GT::FT>::value,
-                "hermite_diffuse_remesh() needs a kernel with floating point coordinates: "
-                "its constructions are least-squares fits, which are not exact");
-  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
-  const VPM vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                                   get_property_map(CGAL::vertex_point, tmesh));
-
-  typedef typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, Pack,
-    Static_boolean_property_map<edge_descriptor, false> >::type ECM;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::face_patch_t, Pack,
-    Constant_property_map<face_descriptor, int> >::type FPM;
-  const ECM ecm = choose_parameter<ECM>(get_parameter(pack, internal_np::edge_is_constrained));
-  const FPM fpm = choose_parameter<FPM>(get_parameter(pack, internal_np::face_patch));
-  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
-  const auto policies = read_edge_policy_map<edge_descriptor>(pack);
-  const auto is_protected = [&](const halfedge_descriptor h)
-  {
-    const edge_descriptor e = edge(h, tmesh);
-    return get(policies, e) == DETECTED_EDGE ? protect && get(ecm, e) : get(policies, e) == PROTECTED_EDGE;
-  };
-
-  typedef Default_remeshing_visitor<TriangleMesh> Default_visitor;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
-    Visitor_reference;
-  typedef std::remove_reference_t<Visitor_reference> Visitor;
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
-
-  // everything is read and checked before the first change
-  const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
-  check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
-  const std::size_t maximum_number_of_faces =
-    choose_parameter(get_parameter(pack, internal_np::maximum_number_of_faces),
-                     std::size_t((std::numeric_limits<int>::max)()));
-
-  std::vector<face_descriptor> face_descriptors;
-  const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
-  const Size_options size_options = read_size_options(pack, gt, model_diameter(triangles), face_descriptors);
-  auto face_rank = get(CGAL::dynamic_face_property_t<int>(), tmesh);
-  for(std::size_t i = 0; i < face_descriptors.size(); ++i)
-    put(face_rank, face_descriptors[i], static_cast<int>(i));
-  std::vector<char> is_remeshed(face_descriptors.size(), false);
-  for(const face_descriptor f : faces)
-    is_remeshed[get(face_rank, f)] = true;
-
-  const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
-  const User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> user{tmesh, vpm, ecm, fpm, gt, visitor};
-  return remesh_surface(user, face_descriptors, is_remeshed,
-                        Remeshing_options{size_options, static_cast<int>(iterations), maximum_number_of_faces},
-    [&] { return read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack); },
-    is_protected,
-    [&](const auto& mesh, const auto& deviations) { write_output_maps(mesh, deviations, pack); });
+  return CGAL::Hermite_diffuse_remeshing::internal::remesh(faces, tmesh,
+                                                           CGAL::Hermite_diffuse_remeshing::internal::pack(np));
 }
 
 /*!

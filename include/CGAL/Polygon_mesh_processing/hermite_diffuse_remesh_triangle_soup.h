@@ -11,19 +11,19 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Supervisor.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/remesh_surface.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/run_stages.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/soup_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -35,59 +35,38 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// What the user says of the edges of a soup.
-template <typename EdgePolicyMap, typename EdgeIsConstrainedMap>
-struct Soup_edge_policies
+// What the user says of the edges of a soup. His maps have pairs of indices as keys, the smaller one first.
+template <typename FacePatchMap, typename Pack>
+Side_marks read_soup_marks(const Indexed_triangles& surface, const FacePatchMap& labels, const Pack& pack)
 {
-  EdgePolicyMap policies;
-  EdgeIsConstrainedMap is_constrained;
-  bool are_constraints_protected;
-
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
   typedef std::pair<std::size_t, std::size_t> Edge;
-
-  static Edge edge(const int a, const int b) { return Edge((std::min)(a, b), (std::max)(a, b)); }
-
-  Edge_mark mark(const int a, const int b) const
-  {
-    const Edge_policy policy = get(policies, edge(a, b));
-    if(policy != DETECTED_EDGE)
-      return policy == FREE_EDGE ? MARKED_FREE : MARKED_FEATURE;
-    return get(is_constrained, edge(a, b)) ? MARKED_FEATURE : UNMARKED_EDGE;
-  }
-
-  bool is_protected(const int a, const int b) const
-  {
-    const Edge_policy policy = get(policies, edge(a, b));
-    return policy == DETECTED_EDGE ? are_constraints_protected && get(is_constrained, edge(a, b))
-                                   : policy == PROTECTED_EDGE;
-  }
-};
-
-// The marks of the edges as the classification asks for them.
-template <typename Policies, typename FacePatchMap>
-std::vector<std::array<Edge_mark, 3> >
-mark_soup_edges(const Indexed_triangles& surface, const Policies& policies, const FacePatchMap& labels)
-{
+  const auto policies = read_edge_policy_map<Edge>(pack);
+  const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
+                                    Static_boolean_property_map<Edge, false>());
+  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
   const Edge_table edges(surface);
-  std::vector<std::array<Edge_mark, 3> > result(surface.number_of_faces());
+  Side_marks result(surface.number_of_faces());
   for(int e = 0; e < edges.number_of_edges(); ++e)
   {
-    Edge_mark mark = policies.mark(edges.vertices(e)[0], edges.vertices(e)[1]);
-    if(mark == UNMARKED_EDGE && edges.number_of_sides(e) == 2
-       && get(labels, std::size_t(edges.side(e, 0).face)) != get(labels, std::size_t(edges.side(e, 1).face)))
-      mark = MARKED_PATCH_BORDER;
+    const Edge edge(edges.vertices(e)[0], edges.vertices(e)[1]);
+    const bool is_between_patches = edges.number_of_sides(e) == 2
+      && get(labels, std::size_t(edges.side(e, 0).face)) != get(labels, std::size_t(edges.side(e, 1).face));
     for(int i = 0; i < edges.number_of_sides(e); ++i)
-      result[edges.side(e, i).face][edges.side(e, i).side] = mark;
+      result[edges.side(e, i).face][edges.side(e, i).side] =
+        make_edge_mark(get(policies, edge), get(ecm, edge), protect, is_between_patches);
   }
   return result;
 }
 
-// Writes the mesh back as a soup, the copies of a vertex as one, and what is known of vertices and triangles.
+// Writes the mesh back as a soup, the copies of a vertex as one, and what is known of vertices and triangles, which
+// the report names by their indices from then on.
 template <typename Mesh, typename Deviation, typename LabelOfFace, typename FacePatchMap, typename Pack,
           typename PointRange, typename TriangleRange>
 void write_soup(const Mesh& mesh, const std::vector<Deviation>& deviations, const std::vector<char>& is_turned,
                 const LabelOfFace& label_of_face, const FacePatchMap& labels, const Pack& pack,
-                PointRange& points, TriangleRange& triangles)
+                PointRange& points, TriangleRange& triangles, Remeshing_report<typename Mesh::TriangleMesh>& report)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -116,19 +95,23 @@ void write_soup(const Mesh& mesh, const std::vector<Deviation>& deviations, cons
     put(location_map, i, std::make_pair(std::size_t(location.face), location.coordinates));
     put(size_map, i, mesh.size(v));
   }
-  // in the order of faces(tm)
-  for(const Deviation& entry : deviations)
+  std::vector<std::size_t> rank_of_face(tm.num_faces());
+  for(const auto f : faces(tm))
   {
-    const std::size_t i = new_triangles.size();
-    const auto h = halfedge(entry.face, tm);
+    const std::size_t i = rank_of_face[std::size_t(f)] = new_triangles.size();
+    const auto h = halfedge(f, tm);
     const std::array<std::size_t, 3> corners = {{rank[mesh.index(source(h, tm))], rank[mesh.index(target(h, tm))],
                                                  rank[mesh.index(target(next(h, tm), tm))]}};
     typename TriangleRange::value_type triangle{corners[0], corners[1], corners[2]};
     new_triangles.push_back(triangle);
-    put(labels, i, get(label_of_face, entry.face));
-    put(origin_map, i, std::size_t(mesh.hint(entry.face)));
-    put(deviation_map, i, entry.deviation);
+    put(labels, i, get(label_of_face, f));
+    put(origin_map, i, std::size_t(mesh.hint(f)));
   }
+  for(const Deviation& entry : deviations)
+    put(deviation_map, rank_of_face[std::size_t(entry.face)], entry.deviation);
+  for(auto& f : report.faces_above_maximum_deviation)
+    f = std::decay_t<decltype(f)>(static_cast<typename Mesh::TriangleMesh::size_type>(rank_of_face[std::size_t(f)]));
+  report.number_of_vertices = new_points.size();
   points = std::move(new_points);
   triangles = std::move(new_triangles);
 }
@@ -169,7 +152,7 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{approximation_error, sagitta, elements_per_circle, angle_per_element, sagitta_over_length,
  *     maximum_deviation, minimum_edge_length, maximum_edge_length, size_field, gradation, sharp_dihedral_angle,
  *     corner_angle, apex_angular_defect, polynomial_degree, hermite_weight, normal_estimation, surface_model,
- *     number_of_iterations, maximum_number_of_faces, protect_constraints}
+ *     number_of_iterations, maximum_number_of_faces, maximum_running_time, protect_constraints}
  *     \cgalParamDescription{as for `hermite_diffuse_remesh()`; a size field that asks for a face gets the index of a
  *       triangle}
  *   \cgalParamNEnd
@@ -244,84 +227,76 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   typedef std::decay_t<decltype(pack)> Pack;
   typedef typename PointRange::value_type Point;
   typedef Surface_mesh<Point> Mesh;
-  typedef typename boost::graph_traits<Mesh>::halfedge_descriptor halfedge_descriptor;
   typedef typename boost::graph_traits<Mesh>::edge_descriptor edge_descriptor;
   typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
-  typedef std::pair<std::size_t, std::size_t> Edge;
   typedef typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, Pack,
     typename Kernel_traits<Point>::Kernel>::type GT;
-  static_assert(std::is_floating_point<typename GT::FT>::value,
-                "hermite_diffuse_remesh_triangle_soup() needs a kernel with floating point coordinates");
-  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
-
-  const auto labels = choose_parameter(get_parameter(pack, internal_np::face_patch),
-                                       Constant_property_map<std::size_t, int>());
-  typedef typename boost::property_traits<std::decay_t<decltype(labels)> >::value_type Label;
-  const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
-                                    Static_boolean_property_map<Edge, false>());
-  const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
-                                    Static_boolean_property_map<std::size_t, false>());
-  const auto policy_map = read_edge_policy_map<Edge>(pack);
-  const Soup_edge_policies<std::decay_t<decltype(policy_map)>, std::decay_t<decltype(ecm)> > policies{
-    policy_map, ecm, choose_parameter(get_parameter(pack, internal_np::protect_constraints), false)};
-
   typedef Default_remeshing_visitor<Mesh> Default_visitor;
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
     Visitor_reference;
-  typedef std::remove_reference_t<Visitor_reference> Visitor;
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
+  typedef Supervisor<Mesh, std::remove_reference_t<Visitor_reference> > Watched_visitor;
+  static_assert(std::is_floating_point<typename GT::FT>::value,
+                "hermite_diffuse_remesh_triangle_soup() needs a kernel with floating point coordinates");
 
   // everything is read and checked before the first change
+  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
+  const auto labels = choose_parameter(get_parameter(pack, internal_np::face_patch),
+                                       Constant_property_map<std::size_t, int>());
+  const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
+                                    Static_boolean_property_map<std::size_t, false>());
+  Default_visitor default_visitor;
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
   const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
   check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
-  const std::size_t maximum_number_of_faces =
-    choose_parameter(get_parameter(pack, internal_np::maximum_number_of_faces),
-                     std::size_t((std::numeric_limits<int>::max)()));
+  const double maximum_running_time =
+    choose_parameter(get_parameter(pack, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
+  check_positive_parameter("maximum_running_time", maximum_running_time);
   const Feature_options feature_options = read_feature_options(pack);
   const Model_options model_options = read_model_options(pack);
   Indexed_triangles surface = read_soup(points, triangles, gt);
   std::vector<std::size_t> triangle_indices(surface.number_of_faces());
   std::iota(triangle_indices.begin(), triangle_indices.end(), std::size_t(0));
-  const Size_options size_options = read_size_options(pack, gt, model_diameter(surface), triangle_indices);
+  const Size_options size_options = read_size_options(pack, gt, surface, triangle_indices);
 
   const std::vector<char> is_turned = orient_sheets(surface);
-  const std::vector<std::array<Edge_mark, 3> > marks = mark_soup_edges(surface, policies, labels);
+  const Side_marks marks = read_soup_marks(surface, labels, pack);
   Mesh mesh;
-  const std::vector<int> vertices_of_soup = make_soup_mesh(surface, gt, mesh);
+  make_soup_mesh(surface, gt, mesh);
   const std::vector<face_descriptor> face_descriptors(faces(mesh).begin(), faces(mesh).end());
-  auto label_of_face = mesh.template add_property_map<face_descriptor, Label>("f:label").first;
+  auto label_of_face = mesh.template add_property_map<face_descriptor,
+    typename boost::property_traits<std::decay_t<decltype(labels)> >::value_type>("f:label").first;
   for(const face_descriptor f : face_descriptors)
     put(label_of_face, f, get(labels, std::size_t(f)));
 
+  Remeshing_report<Mesh> report;
+  report.number_of_input_faces = report.number_of_faces = surface.triangles.size();
+  report.number_of_vertices = points.size();
+  const Quality_statistics quality = measure_quality(surface, [](int) { return true; });
+  report.smallest_input_quality = report.smallest_quality = quality.smallest;
+  report.mean_input_quality = report.mean_quality = quality.mean;
+  report.maximum_deviation = size_options.maximum_deviation;
+  Watched_visitor watched(visitor, report, maximum_running_time);
+
   typedef typename boost::property_map<Mesh, CGAL::vertex_point_t>::type VPM;
   typedef Static_boolean_property_map<edge_descriptor, false> ECM;
-  const User_mesh<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT, Visitor>
-    user{mesh, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt, visitor};
-  auto report = remesh_surface(user, face_descriptors, std::vector<char>(face_descriptors.size(), true),
-    Remeshing_options{size_options, static_cast<int>(iterations), maximum_number_of_faces},
-    [&]
-    {
-      return std::unique_ptr<Input_model>(
-        new Input_model(surface, feature_options, model_options,
-                        [&](const int f, const int side) { return marks[f][side]; },
-                        [&](const int v) -> bool { return get(vcm, std::size_t(v)); }));
-    },
-    [&](const halfedge_descriptor h)
-    {
-      return policies.is_protected(vertices_of_soup[std::size_t(source(h, mesh))],
-                                   vertices_of_soup[std::size_t(target(h, mesh))]);
-    },
-    [&](const auto& working_mesh, const auto& deviations)
-    { write_soup(working_mesh, deviations, is_turned, label_of_face, labels, pack, points, triangles); });
-
-  report.number_of_vertices = points.size();
-  std::vector<std::size_t> rank(mesh.num_faces());
-  std::size_t number = 0;
-  for(const face_descriptor f : faces(mesh))
-    rank[std::size_t(f)] = number++;
-  for(face_descriptor& f : report.faces_above_maximum_deviation)
-    f = face_descriptor(static_cast<typename Mesh::size_type>(rank[std::size_t(f)]));
+  const User_mesh<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT, Watched_visitor>
+    user{mesh, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt, watched};
+  run_stages(user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
+             Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations)},
+             [&]
+             {
+               return std::unique_ptr<Input_model>(
+                 new Input_model(surface, feature_options, model_options,
+                                 [&](const int f, const int side) { return marks[f][side]; },
+                                 [&](const int v) -> bool { return get(vcm, std::size_t(v)); },
+                                 std::vector<Vector>(), watched.progress_of_stage()));
+             },
+             [] {},
+             [&](const auto& working_mesh, const auto& deviations)
+             {
+               write_soup(working_mesh, deviations, is_turned, label_of_face, labels, pack, points, triangles, report);
+             },
+             report);
   return report;
 }
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_MODEL_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_MODEL_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
 
 #include <memory>
@@ -49,48 +50,22 @@ std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, c
   return normals;
 }
 
-// What the user says of the edges.
-template <typename TriangleMesh, typename Pack>
-auto read_edge_marks(const TriangleMesh& tmesh,
-                     const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& face_descriptors,
-                     const Pack& pack)
+template <typename TriangleMesh, typename GeomTraits, typename Pack>
+std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
+                                        const Progress& progress = Progress())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  typedef typename boost::graph_traits<TriangleMesh>::edge_descriptor edge_descriptor;
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  const auto policies = read_edge_policy_map<edge_descriptor>(pack);
-  const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
-                                    Static_boolean_property_map<edge_descriptor, false>());
-  const auto fpm = choose_parameter(get_parameter(pack, internal_np::face_patch),
-                                    Constant_property_map<face_descriptor, int>());
-  return Edge_marks<TriangleMesh, std::decay_t<decltype(policies)>, std::decay_t<decltype(ecm)>,
-                    std::decay_t<decltype(fpm)> >{tmesh, face_descriptors, policies, ecm, fpm};
-}
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
 
-// The vertices that the user wants to be corners.
-template <typename VertexDescriptor, typename Pack>
-auto read_vertex_marks(const std::vector<VertexDescriptor>& vertex_descriptors, const Pack& pack)
-{
-  const auto vcm = parameters::choose_parameter(
-    parameters::get_parameter(pack, internal_np::vertex_is_constrained),
-    Static_boolean_property_map<VertexDescriptor, false>());
-  return [&vertex_descriptors, vcm](const int v) -> bool { return get(vcm, vertex_descriptors[v]); };
-}
-
-// The model of a mesh, or of a part of one, that was read as indexed triangles: face i is `face_descriptors[i]`,
-// vertex i `vertex_descriptors[i]`.
-template <typename TriangleMesh, typename GeomTraits, typename Pack>
-std::unique_ptr<Input_model>
-read_model(const TriangleMesh& tmesh, const Indexed_triangles& triangles,
-           const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertex_descriptors,
-           const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& face_descriptors,
-           const GeomTraits& traits, const Pack& pack)
-{
+  const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
+                                    Static_boolean_property_map<vertex_descriptor, false>());
   return std::unique_ptr<Input_model>(
-    new Input_model(triangles, read_feature_options(pack), read_model_options(pack),
-                    read_edge_marks(tmesh, face_descriptors, pack), read_vertex_marks(vertex_descriptors, pack),
-                    read_vertex_normals(vertex_descriptors, traits, pack)));
+    new Input_model(input.triangles, read_feature_options(pack), read_model_options(pack),
+                    [&](const int f, const int side) { return input.side_marks[f][side]; },
+                    [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
+                    read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress));
 }
 
 } // namespace internal

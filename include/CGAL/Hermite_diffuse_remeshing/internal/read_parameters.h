@@ -13,14 +13,9 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
-
 #include <boost/math/constants/constants.hpp>
 
-#include <algorithm>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -69,44 +64,6 @@ Model_options read_model_options(const Pack& pack)
   if(is_of_paper || options.normals == SMOOTH_NORMALS)
     options.exponent = 1;                // the paper's; also averages the noise of the positions
   return options;
-}
-
-// What the user says of the edges of the input, by his maps and by patch labels. A policy on an edge goes
-// before the rest.
-template <typename TriangleMesh, typename EdgePolicyMap, typename EdgeIsConstrainedMap, typename FacePatchMap>
-struct Edge_marks
-{
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-
-  const TriangleMesh& tmesh;
-  const std::vector<face_descriptor>& face_descriptors;
-  EdgePolicyMap edge_policy;
-  EdgeIsConstrainedMap edge_is_constrained;
-  FacePatchMap face_patch;
-
-  Edge_mark operator()(const int f, const int side) const
-  {
-    halfedge_descriptor h = halfedge(face_descriptors[f], tmesh);
-    for(int k = 0; k < side; ++k)
-      h = next(h, tmesh);
-    const Edge_policy policy = get(edge_policy, edge(h, tmesh));
-    if(policy != DETECTED_EDGE)
-      return policy == FREE_EDGE ? MARKED_FREE : MARKED_FEATURE;
-    if(get(edge_is_constrained, edge(h, tmesh)))
-      return MARKED_FEATURE;
-    const halfedge_descriptor o = opposite(h, tmesh);
-    return !CGAL::is_border(o, tmesh) && get(face_patch, face(h, tmesh)) != get(face_patch, face(o, tmesh))
-           ? MARKED_PATCH_BORDER : UNMARKED_EDGE;
-  }
-};
-
-// The map `edge_policy_map`, or one that leaves all edges to the detection.
-template <typename EdgeDescriptor, typename Pack>
-auto read_edge_policy_map(const Pack& pack)
-{
-  return parameters::choose_parameter(parameters::get_parameter(pack, internal_np::edge_policy_map),
-                                      Constant_property_map<EdgeDescriptor, Edge_policy>(DETECTED_EDGE));
 }
 
 } // namespace internal

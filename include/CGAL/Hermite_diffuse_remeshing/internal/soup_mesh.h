@@ -29,7 +29,7 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// The user's soup as indexed triangles. Refuses, with std::invalid_argument, an empty soup, polygons that are not
+// The user's soup as indexed triangles, read before the first change. Refuses, with std::invalid_argument, an empty soup, polygons that are not
 // triangles, vertices that are missing or named twice by a triangle, and points that are not finite.
 template <typename PointRange, typename TriangleRange, typename GeomTraits>
 Indexed_triangles read_soup(const PointRange& points, const TriangleRange& triangles, const GeomTraits& traits)
@@ -72,9 +72,9 @@ Indexed_triangles read_soup(const PointRange& points, const TriangleRange& trian
 
 // The mesh with halfedges that holds a soup: the soup is cut along its non-manifold edges and at the vertices where
 // sheets touch, by which some vertices get several copies. Face i is triangle i of `surface`, and begins with the
-// same corner. The result also tells which vertex of the soup a vertex of the mesh is a copy of.
+// same corner.
 template <typename Point, typename GeomTraits>
-std::vector<int> make_soup_mesh(const Indexed_triangles& surface, const GeomTraits& traits,
+void make_soup_mesh(const Indexed_triangles& surface, const GeomTraits& traits,
                                 CGAL::Surface_mesh<Point>& mesh)
 {
   typedef CGAL::Surface_mesh<Point> Mesh;
@@ -83,13 +83,10 @@ std::vector<int> make_soup_mesh(const Indexed_triangles& surface, const GeomTrai
   std::vector<Edge_class> classes = classify_edges(surface, edges, std::numeric_limits<double>::infinity(),
                                                    [](int, int) { return MARKED_FREE; });
   const Cut_mesh cut_mesh(surface, edges, classes);
-  std::vector<int> vertices_of_soup;
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
   {
-    const int v = cut_mesh.vertex(i);
-    const Vector& p = surface.points[v];
+    const Vector& p = surface.points[cut_mesh.vertex(i)];
     mesh.add_vertex(traits.construct_point_3_object()(p[0], p[1], p[2]));
-    vertices_of_soup.push_back(v);
   }
   for(int f = 0; f < surface.number_of_faces(); ++f)
   {
@@ -102,7 +99,6 @@ std::vector<int> make_soup_mesh(const Indexed_triangles& surface, const GeomTrai
       h = mesh.next(h);
     mesh.set_halfedge(face, h);
   }
-  return vertices_of_soup;
 }
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -20,14 +21,18 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// What the user says of an edge of the input.
+// What the user says of an edge of the input, the weakest word first.
 enum Edge_mark
 {
   UNMARKED_EDGE,         // nothing
+  MARKED_FREE,           // no feature
   MARKED_PATCH_BORDER,   // a feature, because its faces have different labels
   MARKED_FEATURE,
-  MARKED_FREE            // no feature
+  MARKED_PROTECTED       // a feature that cannot be changed
 };
+
+// of the three sides of every face
+typedef std::vector<std::array<Edge_mark, 3> > Side_marks;
 
 // The angle between the normals of the two faces of an edge, in radians. A degenerate face has
 // no normal, so its edges have no angle: they never become sharp by themselves.
@@ -85,7 +90,7 @@ inline void discard_isolated_sharp_edges(const Indexed_triangles& surface, const
   }
 }
 
-// `edge_mark(face, side)` is what the user says of an edge; of the two sides of an edge the stronger word counts.
+// `edge_mark(face, side)` is what the user says of an edge; the stronger word of its two sides counts.
 // `sharp_angle` is in radians; an edge is sharp if the normals of its faces differ by more.
 template <typename EdgeMark>
 std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
@@ -110,7 +115,7 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
       continue;
     }
     const Edge_mark mark = (std::max)(edge_mark(s.face, s.side), edge_mark(t.face, t.side));
-    if(mark == MARKED_FEATURE)
+    if(mark >= MARKED_FEATURE)
       classes[e] = CONSTRAINED_EDGE;
     else if(mark == MARKED_PATCH_BORDER)
       classes[e] = PATCH_BORDER_EDGE;

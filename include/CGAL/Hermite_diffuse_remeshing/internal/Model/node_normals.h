@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Local_polynomial.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_neighborhood.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
 #include <algorithm>
 #include <vector>
@@ -131,12 +132,13 @@ private:
 // One sweep of Jacobi: every normal from a quadratic Hermite fit over the ring that leaves the
 // node's own normal out, so that noise is averaged.
 inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
-                                            const std::vector<Vector>& normals)
+                                            const std::vector<Vector>& normals, const Progress& progress)
 {
   constexpr double slope_weight = 0.5;
   std::vector<Vector> result(normals);
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
   {
+    progress(double(i) / cut_mesh.number_of_nodes());
     if(normals[i] == Vector::Zero())
       continue;
     const Index_range ring = cut_mesh.ring(i);
@@ -176,7 +178,7 @@ inline Vector given_normal(const std::vector<Vector>& vertex_normals, const Cut_
 // result does not depend on the order of the nodes.
 inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
                                   const Normal_estimation estimation, const std::vector<Vector>& vertex_normals,
-                                  std::vector<Node>& nodes)
+                                  const Progress& progress, std::vector<Node>& nodes)
 {
   const int n = cut_mesh.number_of_nodes();
   std::vector<Vector> normals(n, Vector::Zero());
@@ -192,10 +194,11 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
   {
     constexpr int number_of_sweeps = 3;
     for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
-      normals = smoothed_normals(cut_mesh, nodes, normals);
+      normals = smoothed_normals(cut_mesh, nodes, normals,
+                                 progress.part(double(sweep) / number_of_sweeps, (sweep + 1.) / number_of_sweeps));
   }
   Normal_fitter fitter(cut_mesh, nodes, normals);
-  for(int i = 0; i < n; ++i)
+  for(int i = 0; i < n; ++i, progress(double(i) / n))
     if(is_unknown(i))
       nodes[i].normal = estimation == FITTED_NORMALS ? fitter(i) : normals[i];
 }

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_SIZE_MAP_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Frozen_lengths.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
@@ -52,6 +53,7 @@ class Size_map
   using Pair_map = std::unordered_map<Sample_pair, Value, boost::hash<Sample_pair> >;
 
   Size_sources m_sources;
+  Progress m_progress;
   Bisection_tree m_cells;
   std::vector<Sample> m_samples;          // first the vertices of the reference
   std::vector<double> m_sizes;            // after gradation
@@ -61,6 +63,7 @@ class Size_map
   Frozen_lengths m_frozen;
   double m_scale = 1.;                    // of the own sizes, to meet a budget
   bool m_is_sample_lowered = false;       // since the sizes were last graded
+  double m_number_of_probes = 0.;
 
   // a cell is fine enough when its longest side is this many sizes long; off the simple ratios, so that
   // rounding does not decide on regular meshes
@@ -75,17 +78,18 @@ class Size_map
   static constexpr double probe_distance = 0.4973;
   // a bisection halves a side: 48 of them in a row reach the rounding of the coordinates
   static constexpr int maximum_number_of_rounds = 48;
-  // Of the whole map, about 100 bytes each: an absurd size in a large face must not eat the memory.
-  // Where it is reached the sizes stay linear in the cells.
-  static constexpr int maximum_number_of_cells = 2000000;
+  // Of the user's field, of the whole map: an absurd size must not eat the time either.
+  static constexpr double maximum_number_of_probes = 2e7;
 
 public:
   // `is_edge_frozen`: of the edges of the table; empty if none is
   Size_map(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
-           const Size_options& options, const std::vector<char>& is_edge_frozen = std::vector<char>())
-    : m_sources(surface, options), m_cells(surface.triangles())
+           const Size_options& options, const std::vector<char>& is_edge_frozen = std::vector<char>(),
+           const Progress& progress = Progress())
+    : m_sources(surface, options), m_progress(progress), m_cells(surface.triangles())
   {
-    for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
+    const int nf = surface.triangles().number_of_faces();
+    for(int f = 0; f < nf; ++f, progress(double(f) / nf))
       m_area_ratios.push_back(m_sources.area_ratio(f));
     sample_vertices(surface, curves);
     sample_curves(edges, curves);
@@ -127,8 +131,8 @@ public:
       grade();
       bool is_refined = false;
       const int number_of_cells = m_cells.number_of_cells();
-      for(int c = 0; c < number_of_cells; ++c)
-        if(m_cells.is_leaf(c) && m_cells.number_of_cells() < maximum_number_of_cells && is_too_coarse(c))
+      for(int c = 0; c < number_of_cells; ++c, m_progress(0.))
+        if(m_cells.is_leaf(c) && !is_full() && is_too_coarse(c))
         {
           const int k = longest_side(m_cells[c]);
           const int middle = middle_of_side(m_cells[c], k);
@@ -167,7 +171,7 @@ public:
     // a number of faces that is this close is met
     constexpr double tolerance = 0.002;
     constexpr int maximum_number_of_steps = 100;
-    for(int step = 0; step < maximum_number_of_steps; ++step)
+    for(int step = 0; step < maximum_number_of_steps; ++step, m_progress(0.))
     {
       const double number = number_of_faces(is_selected);
       if(!(number > (1. + tolerance) * limit))
@@ -184,6 +188,8 @@ public:
   double scale() const { return m_scale; }
 
 private:
+  bool is_full() const { return m_cells.number_of_cells() >= m_sources.options().maximum_number_of_cells; }
+
   void sample_vertices(const Reference_surface& surface, const Feature_curves& curves)
   {
     const Indexed_triangles& triangles = surface.triangles();
@@ -360,12 +366,12 @@ private:
   }
 
   // Is there a point in a cell where the user's size is smaller than the interpolation of the corners'?
-  bool has_smaller_user_size(const Cell& cell, const double length, const double s[3]) const
+  bool has_smaller_user_size(const Cell& cell, const double length, const double s[3])
   {
     const double step = probe_distance * (std::min)({s[0], s[1], s[2]});
     const int n = static_cast<int>((std::min)(length / step, double((std::numeric_limits<int>::max)() / 2)));
-    for(int i = 0; i <= n; ++i)
-      for(int j = 0; i + j <= n; ++j)
+    for(int i = 0; i <= n; ++i, m_progress(0.))
+      for(int j = 0; i + j <= n && m_number_of_probes < maximum_number_of_probes; ++j, ++m_number_of_probes)
       {
         // the centroids of the upright triangles of a regular partition of the cell
         const Barycentric l = {{(i + 1. / 3.) / (n + 1.), (j + 1. / 3.) / (n + 1.),

@@ -79,7 +79,8 @@ protected:
 
 public:
   // `faces_of_reference[i]` is the face of the mesh that became face i of the reference;
-  // `is_remeshed[i]` selects the part to work on.
+  // `is_remeshed[i]` selects the part to work on; `is_edge_frozen(face of the reference, side)`: may the edge not
+  // be changed?
   template <typename IsFrozen>
   Mesh_elements(const UserMesh& user, const Reference& reference,
                 const std::vector<face_descriptor>& faces_of_reference,
@@ -113,7 +114,7 @@ public:
         if(copies_of_vertex[v].empty() || get(m_vertex_index, copy) == -1)
           copies_of_vertex[v].push_back(copy);
         put(m_vertex_index, copy, index_of_vertex[v]);
-        make_initial_edge(edge(h, user.tmesh), reference.edges.edge(f, k), is_edge_frozen(h));
+        make_initial_edge(edge(h, user.tmesh), reference.edges.edge(f, k), is_edge_frozen(f, k));
       }
     }
     for(std::size_t c = 0; c < reference.curves.curves.size(); ++c)
