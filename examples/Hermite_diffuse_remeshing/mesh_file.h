@@ -93,24 +93,39 @@ Polygon_soup<Point> read_polygon_soup(const std::filesystem::path& path)
   return soup;
 }
 
-// the mesh has the points and polygons of the file in the same order, without unused points
+// A file as a mesh with the points and polygons in the same order, without unused points; or, if the polygons do not
+// form an oriented 2-manifold, as a soup in which points and triangles occur once, and no triangle is without
+// three different corners.
 template <typename Mesh>
-Mesh read_mesh(const std::filesystem::path& path)
+struct Mesh_or_soup
+{
+  Mesh mesh;
+  Polygon_soup<typename Mesh::Point> soup;
+  bool is_mesh;
+};
+
+template <typename Mesh>
+Mesh_or_soup<Mesh> read_mesh_or_soup(const std::filesystem::path& path)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
 
-  auto soup = read_polygon_soup<typename Mesh::Point>(path);
+  Mesh_or_soup<Mesh> result;
+  auto& soup = result.soup;
+  soup = read_polygon_soup<typename Mesh::Point>(path);
   for(const auto& polygon : soup.polygons)
     for(const std::size_t i : polygon)
       if(i >= soup.points.size())
         throw std::runtime_error("a polygon in " + in_quotes(path) + " names a missing point");
   PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.polygons);
-  if(!PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
-    throw std::runtime_error("the polygons in " + in_quotes(path)
-                             + " do not form an oriented 2-manifold");
-  Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
-  return mesh;
+  result.is_mesh = PMP::is_polygon_soup_a_polygon_mesh(soup.polygons);
+  if(result.is_mesh)
+  {
+    PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, result.mesh);
+    soup = Polygon_soup<typename Mesh::Point>();
+  }
+  else
+    PMP::repair_polygon_soup(soup.points, soup.polygons);
+  return result;
 }
 
 template <typename Point>

@@ -9,10 +9,12 @@
 #include <CGAL/Hermite_diffuse_size_map.h>
 #include <CGAL/Hermite_diffuse_surface.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh_triangle_soup.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/optional.hpp>
 #include <boost/program_options.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -118,7 +120,8 @@ std::string help_text()
   text << "Usage: remesh_file INPUT OUTPUT [options]\n"
        << "       remesh_file INPUT --predict [options]\n\n"
        << "Remeshes a triangle mesh with sizes that follow its curvature. The extensions of the\n"
-       << "files choose their formats: .off, .obj, .ply, .stl or .vtp.\n\n"
+       << "files choose their formats: .off, .obj, .ply, .stl or .vtp. Triangles that form no oriented\n"
+       << "2-manifold are remeshed as a soup, with the edges where several meet.\n\n"
        << visible_options(defaults);
   return text.str();
 }
@@ -302,6 +305,49 @@ Result remesh(Mesh& mesh, const Options& o)
   return result;
 }
 
+// writes values in the order of their indices
+struct Growing_map
+{
+  typedef std::size_t key_type;
+  typedef double value_type;
+  typedef double reference;
+  typedef boost::writable_property_map_tag category;
+
+  std::vector<double>* values;
+
+  friend void put(const Growing_map& map, const std::size_t i, const double value)
+  {
+    if(i >= map.values->size())
+      map.values->resize(i + 1);
+    (*map.values)[i] = value;
+  }
+};
+
+// A soup has no mesh that curvatures could be evaluated on: sizes, deviations and qualities are its fields.
+Result remesh(Polygon_soup<K::Point_3> soup, const Options& o)
+{
+  std::vector<double> sizes, deviations, qualities;
+  Result result;
+  {
+    Progress_line<Mesh> progress(std::cerr, !o.is_quiet && is_terminal());
+    result.report = PMP::hermite_diffuse_remesh_triangle_soup(soup.points, soup.polygons,
+      size_parameters(o)
+        .number_of_iterations(o.iterations)
+        .vertex_size_map(Growing_map{&sizes})
+        .face_deviation_map(Growing_map{&deviations})
+        .visitor(std::ref(progress)));
+  }
+  for(const std::vector<std::size_t>& t : soup.polygons)
+    qualities.push_back(quality(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]));
+  result.soup = std::move(soup);
+  if(!o.fields.empty())
+  {
+    result.vertex_data.emplace_back("size", sizes);
+    result.face_data = { { "quality", qualities }, { "deviation", deviations } };
+  }
+  return result;
+}
+
 // ---- main ---------------------------------------------------------------------------------------
 
 // all the files or none
@@ -337,14 +383,21 @@ int main(int argc, char* argv[])
       return 0;
     }
     check(options);
-    Mesh mesh = read_mesh<Mesh>(options.input);
+    Mesh_or_soup<Mesh> input = read_mesh_or_soup<Mesh>(options.input);
+    Mesh& mesh = input.mesh;
     if(options.is_prediction)
     {
+      if(!input.is_mesh)
+        throw std::runtime_error("the polygons in " + in_quotes(options.input)
+                                 + " do not form an oriented 2-manifold: --predict needs one");
       const CGAL::Hermite_diffuse_size_map<Mesh> sizes(mesh, size_parameters(options));
       std::cout << std::llround(sizes.predicted_number_of_faces()) << std::endl;
       return 0;
     }
-    const Result result = remesh(mesh, options);
+    if(!input.is_mesh && !options.is_quiet)
+      std::cerr << "remesh_file: the polygons in " << in_quotes(options.input)
+                << " do not form an oriented 2-manifold: they are remeshed as a soup" << std::endl;
+    const Result result = input.is_mesh ? remesh(mesh, options) : remesh(std::move(input.soup), options);
     write_files(result, options);
     if(!options.is_quiet)
       print_table(std::cout, result.report);

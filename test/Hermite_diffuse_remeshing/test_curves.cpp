@@ -102,7 +102,7 @@ void test_chaining()
   disk.points = points;
   for(int i = 0; i < 48; ++i)
     disk.triangles.push_back({{48, i, (i + 1) % 48}});
-  const Input_model model(disk, Feature_options{0.7, 1., 0.5}, Model_options(), [](int, int) { return false; },
+  const Input_model model(disk, Feature_options{0.7, 1., 0.5}, Model_options(), [](int, int) { return HDR::internal::UNMARKED_EDGE; },
                           [](int) { return false; });
   const std::vector<Feature_curve>& curves = model.curves.curves;
   assert(curves.size() == 2);

@@ -97,7 +97,7 @@ std::vector<analytic::Point> corners(const Mesh& mesh, const double sharp_angle 
   const Indexed_triangles triangles = read_triangles(mesh, get(CGAL::vertex_point, mesh), Kernel(), descriptors);
   const Feature_options options =
     read_feature_options(pack(params::sharp_dihedral_angle(sharp_angle)));
-  const Input_model model(triangles, options, Model_options(), [](int, int) { return false; },
+  const Input_model model(triangles, options, Model_options(), [](int, int) { return HDR::internal::UNMARKED_EDGE; },
                           [](int) { return false; });
   std::vector<analytic::Point> result;
   for(int v = 0; v < triangles.number_of_vertices(); ++v)

@@ -150,10 +150,22 @@ unusable_mesh)
   refused empty.off out.off
   printf 'OFF\n5 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n2 0 0\n4 0 1 2 3\n3 1 4 2\n' > quad.off
   refused_with triangle quad.off out.off --report out.json
-  printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n' > fan.off
-  refused_with manifold fan.off out.off --fields out.vtp
   printf 'v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n' > nan.obj
   refused nan.obj out.off
+  ;;
+
+# three triangles at one edge: remeshed as a soup, which it says
+non_manifold)
+  printf 'OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n' > fan.off
+  refused_with manifold fan.off --predict
+  "$remesh_file" fan.off out.off --maximum-edge-length 0.1 --fields fields.vtp --report out.json > log 2> errors \
+    || fail "remesh_file: $(cat errors)"
+  [ "$(wc -l < errors)" -eq 1 ] && grep -q 'as a soup' errors || fail "it does not say that it read a soup"
+  [ "$(awk 'NR == 2 { print $2 }' out.off)" -gt 100 ] || fail "the soup was not refined"
+  grep -q deviation fields.vtp || fail "no field"
+  awk 'NR > 2 && NF == 4 { for(i = 2; i <= 4; ++i) { a = $i; b = $(i == 4 ? 2 : i + 1); ++n[a < b ? a " " b : b " " a] } }
+       END { for(e in n) ++k[n[e]]; exit !(k[3] >= 8 && k[1] > 0 && k[4] == 0) }' out.off \
+    || fail "the three sheets are not joined any more"
   ;;
 
 prediction)

@@ -99,7 +99,7 @@ struct Sized_model
   Size_map sizes;
 
   Sized_model(const Indexed_triangles& triangles, const Size_options& options)
-    : model(triangles, Feature_options{0.7, 1.05, 0.52}, Model_options(), [](int, int) { return false; },
+    : model(triangles, Feature_options{0.7, 1.05, 0.52}, Model_options(), [](int, int) { return HDR::internal::UNMARKED_EDGE; },
             [](int) { return false; })
     , sizes(model.surface, model.edges, model.curves, options)
   {}

@@ -42,7 +42,9 @@
   ADD(sagitta_t, sagitta, sagitta)                                               \
   ADD(elements_per_circle_t, elements_per_circle, elements_per_circle)           \
   ADD(angle_per_element_t, angle_per_element, angle_per_element)                 \
-  ADD(sagitta_over_length_t, sagitta_over_length, sagitta_over_length)
+  ADD(sagitta_over_length_t, sagitta_over_length, sagitta_over_length)           \
+  ADD(edge_policy_map_t, edge_policy_map, edge_policy_map)                       \
+  ADD(edge_class_map_t, edge_class_map, edge_class_map)
 
 #define CGAL_HDR_SHARED_PARAMETERS(ADD)                                           \
   ADD(geom_traits_t, geom_traits, geom_traits)                                   \

@@ -144,7 +144,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{protect_constraints}
  *     \cgalParamDescription{if `true`, the edges of `edge_is_constrained_map` stay exactly as they are:
- *       neither split, collapsed nor moved}
+ *       neither split, collapsed nor moved. The sizes around start from their lengths: smaller ones grow from
+ *       them with the gradation, larger ones fall to what was asked for with a gradation of 2.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
@@ -153,6 +154,14 @@ namespace Polygon_mesh_processing {
  *     \cgalParamType{a model of `ReadWritePropertyMap` with key type `face_descriptor` and a value type that
  *       can be compared}
  *     \cgalParamDefault{one label}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_policy_map}
+ *     \cgalParamDescription{a decision on each edge, which goes before the rules of the detection and before
+ *       `protect_constraints`: free, sampled anew along its curve, or protected exactly. It is read before
+ *       anything is changed, and not kept up to date.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `edge_descriptor` and value type
+ *       `CGAL::Hermite_diffuse_remeshing::Edge_policy`}
+ *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::DETECTED_EDGE` for all edges}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{polynomial_degree}
  *     \cgalParamDescription{degree of the local polynomial; the paper's is 2}
@@ -212,6 +221,12 @@ namespace Polygon_mesh_processing {
  *       `target(halfedge(f))` and the third vertex}
  *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
  *       `std::pair<std::size_t, std::array<double, 3> >`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_class_map}
+ *     \cgalParamDescription{output: what an edge of the result is a piece of}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `edge_descriptor` and value type
+ *       `CGAL::Hermite_diffuse_remeshing::Edge_class`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_origin_map}

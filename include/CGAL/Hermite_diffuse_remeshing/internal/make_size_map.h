@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -31,9 +32,24 @@ std::size_t read_face_budget(const Pack& pack, const std::size_t number_of_input
   return budget > 0 ? budget : (std::max)(default_number, default_multiple * number_of_input_faces);
 }
 
+// The edges that cannot be changed: those that the user protects, and between what is remeshed and the rest.
+template <typename IsSelected>
+std::vector<char> find_frozen_edges(const Edge_table& edges, const Side_marks& marks, const IsSelected& is_selected)
+{
+  std::vector<char> result(edges.number_of_edges(), false);
+  for(int e = 0; e < edges.number_of_edges(); ++e)
+    for(int i = 0; i < edges.number_of_sides(e); ++i)
+    {
+      const Face_side& side = edges.side(e, i);
+      if(marks[side.face][side.side] == MARKED_PROTECTED || is_selected(side.face) != is_selected(edges.side(e, 0).face))
+        result[e] = true;
+    }
+  return result;
+}
+
 // The sizes, scaled so that the faces that `is_selected(face)` takes meet the budget.
 template <typename IsSelected>
-std::unique_ptr<Size_map> make_size_map(const Input_model& model, const Size_options& options,
+std::unique_ptr<Size_map> make_size_map(const Input_model& model, const Size_options& options, const Side_marks& marks,
                                         const std::size_t maximum_number_of_faces, const IsSelected& is_selected,
                                         const Progress& progress = Progress())
 {
@@ -46,7 +62,8 @@ std::unique_ptr<Size_map> make_size_map(const Input_model& model, const Size_opt
   bounded.maximum_number_of_cells = model.surface.triangles().number_of_faces()
     + static_cast<int>((std::min)(double(options.maximum_number_of_cells), useful_cells));
   bounded.maximum_number_of_probes = (std::min)(options.maximum_number_of_probes, probes_per_cell * useful_cells);
-  std::unique_ptr<Size_map> sizes(new Size_map(model.surface, model.edges, model.curves, bounded, progress));
+  std::unique_ptr<Size_map> sizes(new Size_map(model.surface, model.edges, model.curves, bounded,
+                                               find_frozen_edges(model.edges, marks, is_selected), progress));
   sizes->limit_number_of_faces(used_part * double(maximum_number_of_faces), is_selected);
   return sizes;
 }

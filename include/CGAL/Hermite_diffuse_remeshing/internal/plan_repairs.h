@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_PLAN_REPAIRS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_PLAN_REPAIRS_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/classify_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -88,16 +89,13 @@ struct Repair
   int source, target;                   // ends of the edge; a collapse removes the source
 };
 
-// Which sides of the faces are features by the will of the user.
-typedef std::vector<std::array<char, 3> > Side_flags;
-
 // Triangles after some repairs. Vertices keep their numbers, `faces[i]` is the former number of face i.
 struct Repaired_triangles
 {
   std::vector<Repair> repairs;
   std::vector<int> faces;
   std::vector<std::array<int, 3> > triangles;
-  Side_flags is_user_side;
+  Side_marks side_marks;
   std::size_t number_of_degenerate_faces = 0, number_of_degenerate_faces_left = 0;
 };
 
@@ -115,7 +113,7 @@ class Repair_planner
   const Indexed_triangles& m_input;
   double m_resolution;
   Connectivity m_mesh;
-  Connectivity::Property_map<Connectivity::Edge_index, bool> m_is_user_edge;
+  Connectivity::Property_map<Connectivity::Edge_index, Edge_mark> m_mark;
   Connectivity::Property_map<Vertex_index, bool> m_is_kept;
   std::vector<Repair> m_repairs;
 
@@ -125,11 +123,11 @@ class Repair_planner
 public:
   // `is_free(face)`: may it be changed? `is_constrained(vertex)`: must it stay?
   template <typename IsFree, typename IsConstrained>
-  Repair_planner(const Indexed_triangles& input, const Side_flags& is_user_side, const double resolution,
+  Repair_planner(const Indexed_triangles& input, const Side_marks& side_marks, const double resolution,
                  const IsFree& is_free, const IsConstrained& is_constrained)
     : m_input(input), m_resolution(resolution)
   {
-    m_is_user_edge = m_mesh.add_property_map<Connectivity::Edge_index, bool>("e:user", false).first;
+    m_mark = m_mesh.add_property_map<Connectivity::Edge_index, Edge_mark>("e:mark", UNMARKED_EDGE).first;
     m_is_kept = m_mesh.add_property_map<Vertex_index, bool>("v:kept", false).first;
     for(int v = 0; v < input.number_of_vertices(); ++v)
       m_is_kept[m_mesh.add_vertex()] = is_constrained(v);
@@ -142,8 +140,7 @@ public:
       for(int k = 0; k < 3; ++k)
       {
         const Vertex_index source(t[k]), target(t[next(k)]);
-        if(is_user_side[f][k])
-          m_is_user_edge[m_mesh.edge(m_mesh.halfedge(source, target))] = true;
+        m_mark[m_mesh.edge(m_mesh.halfedge(source, target))] = side_marks[f][k];
         if(!is_free(f))
           m_is_kept[source] = true;
       }
@@ -180,15 +177,15 @@ private:
     for(int k = 0; k < 2 && int(m_mesh.source(h)) != m_input.triangles[f][0]; ++k)
       h = m_mesh.next(h);
     std::array<int, 3> triangle;
-    std::array<char, 3> flags;
+    std::array<Edge_mark, 3> marks;
     for(int k = 0; k < 3; ++k, h = m_mesh.next(h))
     {
       triangle[k] = int(m_mesh.source(h));
-      flags[k] = m_is_user_edge[m_mesh.edge(h)];
+      marks[k] = m_mark[m_mesh.edge(h)];
     }
     result.faces.push_back(int(f));
     result.triangles.push_back(triangle);
-    result.is_user_side.push_back(flags);
+    result.side_marks.push_back(marks);
   }
 
   double length(const Halfedge_index h) const
@@ -241,7 +238,7 @@ private:
 
   bool is_feature(const Halfedge_index h) const
   {
-    return m_is_user_edge[m_mesh.edge(h)] || m_mesh.is_border(m_mesh.edge(h));
+    return m_mark[m_mesh.edge(h)] >= MARKED_PATCH_BORDER || m_mesh.is_border(m_mesh.edge(h));
   }
 
   // A vertex of a feature may only move along it: two features that touch are not merged.
@@ -258,14 +255,14 @@ private:
       return false;
     m_repairs.push_back({Repair::COLLAPSE, int(s), int(m_mesh.target(h))});
 
-    std::vector<std::pair<Vertex_index, bool> > merged;
+    std::vector<std::pair<Vertex_index, Edge_mark> > merged;
     for(const Halfedge_index g : {h, m_mesh.opposite(h)})
       if(!m_mesh.is_border(g))
-        merged.push_back(std::make_pair(apex(g), m_is_user_edge[m_mesh.edge(m_mesh.next(g))]
-                                              || m_is_user_edge[m_mesh.edge(m_mesh.prev(g))]));
+        merged.push_back(std::make_pair(apex(g), (std::max)(m_mark[m_mesh.edge(m_mesh.next(g))],
+                                                             m_mark[m_mesh.edge(m_mesh.prev(g))])));
     const Vertex_index t = CGAL::Euler::collapse_edge(m_mesh.edge(h), m_mesh);
     for(const auto& edge : merged)
-      m_is_user_edge[m_mesh.edge(m_mesh.halfedge(edge.first, t))] = edge.second;
+      m_mark[m_mesh.edge(m_mesh.halfedge(edge.first, t))] = edge.second;
     return true;
   }
 

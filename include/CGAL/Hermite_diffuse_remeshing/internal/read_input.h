@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_INPUT_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_INPUT_H
 
+#include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/collect_neighborhood.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/plan_repairs.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
@@ -37,11 +38,35 @@ struct Input_mesh
   std::vector<typename Graph_traits::vertex_descriptor> vertex_descriptors;
   std::vector<typename Graph_traits::face_descriptor> face_descriptors;
   Indexed_triangles triangles;
-  Side_flags is_user_side;                            // features by the will of the user
+  Side_marks side_marks;                              // features by the will of the user
   std::vector<std::size_t> face_ranks;                // among the faces of the mesh when it was read
 };
 
-// The edges that the user marks, and those between his labels.
+// The map `edge_policy_map`, or one that leaves all edges to the detection.
+template <typename Edge, typename Pack>
+auto read_edge_policy_map(const Pack& pack)
+{
+  return parameters::choose_parameter(parameters::get_parameter(pack, internal_np::edge_policy_map),
+                                      Constant_property_map<Edge, Edge_policy>(DETECTED_EDGE));
+}
+
+// A policy goes before the rest.
+inline Edge_mark make_edge_mark(const Edge_policy policy, const bool is_constrained, const bool are_constraints_protected,
+                                const bool is_between_patches)
+{
+  switch(policy)
+  {
+    case FREE_EDGE:      return MARKED_FREE;
+    case RESAMPLED_EDGE: return MARKED_FEATURE;
+    case PROTECTED_EDGE: return MARKED_PROTECTED;
+    case DETECTED_EDGE:  break;
+  }
+  if(is_constrained)
+    return are_constraints_protected ? MARKED_PROTECTED : MARKED_FEATURE;
+  return is_between_patches ? MARKED_PATCH_BORDER : UNMARKED_EDGE;
+}
+
+// What the user says of the edges, by his maps and by labels.
 template <typename TriangleMesh, typename GeomTraits, typename Pack>
 void read_user_features(Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack)
 {
@@ -49,19 +74,21 @@ void read_user_features(Input_mesh<TriangleMesh, GeomTraits>& input, const Pack&
   using parameters::get_parameter;
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   const TriangleMesh& tm = input.tmesh;
+  const auto policies = read_edge_policy_map<typename Graph_traits::edge_descriptor>(pack);
   const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
                                     Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>());
   const auto fpm = choose_parameter(get_parameter(pack, internal_np::face_patch),
                                     Constant_property_map<typename Graph_traits::face_descriptor, int>());
+  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
   for(const typename Graph_traits::face_descriptor f : input.face_descriptors)
   {
-    input.is_user_side.push_back({{0, 0, 0}});
+    input.side_marks.push_back({{UNMARKED_EDGE, UNMARKED_EDGE, UNMARKED_EDGE}});
     auto h = halfedge(f, tm);
     for(int k = 0; k < 3; ++k, h = next(h, tm))
     {
       const auto o = opposite(h, tm);
-      input.is_user_side.back()[k] = get(ecm, edge(h, tm))
-                                  || (!is_border(o, tm) && get(fpm, f) != get(fpm, face(o, tm)));
+      input.side_marks.back()[k] = make_edge_mark(get(policies, edge(h, tm)), get(ecm, edge(h, tm)), protect,
+                                                  !is_border(o, tm) && get(fpm, f) != get(fpm, face(o, tm)));
     }
   }
 }

@@ -63,7 +63,7 @@ std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTrait
                                     Static_boolean_property_map<vertex_descriptor, false>());
   return std::unique_ptr<Input_model>(
     new Input_model(input.triangles, read_feature_options(pack), read_model_options(pack),
-                    [&](const int f, const int side) { return input.is_user_side[f][side] != 0; },
+                    [&](const int f, const int side) { return input.side_marks[f][side]; },
                     [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
                     read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress));
 }

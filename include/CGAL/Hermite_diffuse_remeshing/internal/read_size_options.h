@@ -148,7 +148,7 @@ Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const
   using parameters::choose_parameter;
   using parameters::get_parameter;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  constexpr double smallest_part = 1e-4, largest_part = 0.1;
+  constexpr double smallest_part = 1e-4, largest_part = 0.1, largest_part_of_curve_radius = 0.2;
   const double diameter = checked_diameter(triangles);
   const double shortest = shortest_length<typename GeomTraits::FT>(triangles);
   Size_options options;
@@ -156,6 +156,7 @@ Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const
   read_size_field(pack, traits, face_descriptors, options);
   options.maximum_deviation = choose_parameter(get_parameter(pack, internal_np::maximum_deviation), infinity);
   check_positive_parameter("maximum_deviation", options.maximum_deviation);
+  options.largest_curve_radius = largest_part_of_curve_radius * diameter;
   options.gradation = choose_parameter(get_parameter(pack, internal_np::gradation), 1.3);
   check_parameter("gradation", options.gradation, 1., 2.);
   options.minimum_length = choose_parameter(get_parameter(pack, internal_np::minimum_edge_length), 0.);

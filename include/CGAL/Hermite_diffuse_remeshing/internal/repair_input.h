@@ -27,7 +27,7 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // Replaces the copy of the mesh, not the mesh, by one without the degenerate faces that can be repaired, and
-// drops the flags of the faces that are gone. Returns the changes.
+// drops the marks of the faces that are gone. Returns the changes.
 template <typename TriangleMesh, typename GeomTraits, typename Pack>
 std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
                                  std::vector<char>& is_remeshed, Remeshing_report<TriangleMesh>& report)
@@ -45,28 +45,22 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
 
   const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
                                     Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
-  const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
-                                    Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>());
-  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
-  const auto is_constrained = [&](const int i)
-  {
-    const auto v = input.vertex_descriptors[i];
-    if(get(vcm, v))
-      return true;
-    if(protect && halfedge(v, input.tmesh) != Graph_traits::null_halfedge())
-      for(const auto h : CGAL::halfedges_around_target(v, input.tmesh))
-        if(get(ecm, edge(h, input.tmesh)))
-          return true;
-    return false;
-  };
-  Repair_planner planner(input.triangles, input.is_user_side, resolution,
-                         [&](const int f) { return is_remeshed[f] != 0; }, is_constrained);
+  std::vector<char> is_constrained(input.vertex_descriptors.size());
+  for(std::size_t i = 0; i < is_constrained.size(); ++i)
+    is_constrained[i] = get(vcm, input.vertex_descriptors[i]);
+  for(int f = 0; f < input.triangles.number_of_faces(); ++f)
+    for(int k = 0; k < 3; ++k)
+      if(input.side_marks[f][k] == MARKED_PROTECTED)
+        is_constrained[input.triangles.triangles[f][k]] = is_constrained[input.triangles.triangles[f][next(k)]] = true;
+  Repair_planner planner(input.triangles, input.side_marks, resolution,
+                         [&](const int f) { return is_remeshed[f] != 0; },
+                         [&](const int v) { return is_constrained[v] != 0; });
   const Repaired_triangles repaired = planner();
   report.number_of_degenerate_input_faces = repaired.number_of_degenerate_faces;
   report.number_of_unrepaired_faces = repaired.number_of_degenerate_faces_left;
 
   input.triangles.triangles = repaired.triangles;
-  input.is_user_side = repaired.is_user_side;
+  input.side_marks = repaired.side_marks;
   for(std::size_t i = 0; i < repaired.faces.size(); ++i)
   {
     const int former = repaired.faces[i];          // never smaller than i

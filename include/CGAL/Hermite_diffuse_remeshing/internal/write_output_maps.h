@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_WRITE_OUTPUT_MAPS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_WRITE_OUTPUT_MAPS_H
 
+#include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
@@ -22,8 +23,8 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Writes where the vertices lie on the input, their sizes and the faces' origins and deviations. Face i of the
-// reference is the one with rank `face_ranks[i]` of the user's mesh.
+// Writes where the vertices lie on the input, their sizes, the classes of the edges and the faces' origins and
+// deviations. Face i of the reference is the one with rank `face_ranks[i]` of the user's mesh.
 template <typename Mesh, typename Deviation, typename Pack>
 void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations,
                        const std::vector<std::size_t>& face_ranks, const Pack& pack)
@@ -31,6 +32,7 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  typedef typename Mesh::edge_descriptor edge_descriptor;
   typedef typename Mesh::face_descriptor face_descriptor;
   const auto location_map = choose_parameter(get_parameter(pack, internal_np::vertex_location_map),
     Constant_property_map<vertex_descriptor, std::pair<std::size_t, Barycentric> >());
@@ -40,6 +42,8 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
     Constant_property_map<face_descriptor, std::size_t>());
   const auto deviation_map = choose_parameter(get_parameter(pack, internal_np::face_deviation_map),
     Constant_property_map<face_descriptor, double>());
+  const auto class_map = choose_parameter(get_parameter(pack, internal_np::edge_class_map),
+    Constant_property_map<edge_descriptor, Edge_class>());
 
   for(const vertex_descriptor v : vertices(mesh.tmesh()))
     if(mesh.index(v) != -1)
@@ -48,6 +52,8 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
       put(location_map, v, std::make_pair(face_ranks[location.face], location.coordinates));
       put(size_map, v, mesh.size(v));
     }
+  for(const edge_descriptor e : edges(mesh.tmesh()))
+    put(class_map, e, mesh.edge_class(halfedge(e, mesh.tmesh())));
   for(const face_descriptor f : faces(mesh.tmesh()))
     if(mesh.is_remeshed(f))
       put(origin_map, f, face_ranks[mesh.hint(f)]);

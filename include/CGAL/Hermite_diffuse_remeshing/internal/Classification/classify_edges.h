@@ -9,8 +9,11 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CLASSIFICATION_CLASSIFY_EDGES_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CLASSIFICATION_CLASSIFY_EDGES_H
 
+#include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -18,16 +21,18 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-enum Edge_class
+// What the user says of an edge of the input, the weakest word first.
+enum Edge_mark
 {
-  INTERIOR_EDGE,
-  SHARP_EDGE,
-  CONSTRAINED_EDGE,      // by the user, or between two patches
-  BOUNDARY_EDGE,
-  NON_MANIFOLD_EDGE      // more than two faces, or two that are not coherently oriented
+  UNMARKED_EDGE,         // nothing
+  MARKED_FREE,           // no feature
+  MARKED_PATCH_BORDER,   // a feature, because its faces have different labels
+  MARKED_FEATURE,
+  MARKED_PROTECTED       // a feature that cannot be changed
 };
 
-inline bool is_feature(const Edge_class c) { return c != INTERIOR_EDGE; }
+// of the three sides of every face
+typedef std::vector<std::array<Edge_mark, 3> > Side_marks;
 
 // The angle between the normals of the two faces of an edge, in radians. A degenerate face has
 // no normal, so its edges have no angle: they never become sharp by themselves.
@@ -85,13 +90,13 @@ inline void discard_isolated_sharp_edges(const Indexed_triangles& surface, const
   }
 }
 
-// `is_constrained(face, side)` tells the edges that the user wants to keep.
+// `edge_mark(face, side)` is what the user says of an edge; the stronger word of its two sides counts.
 // `sharp_angle` is in radians; an edge is sharp if the normals of its faces differ by more.
-template <typename IsConstrained>
+template <typename EdgeMark>
 std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
                                        const Edge_table& edges,
                                        const double sharp_angle,
-                                       const IsConstrained& is_constrained)
+                                       const EdgeMark& edge_mark)
 {
   std::vector<Edge_class> classes(edges.number_of_edges(), INTERIOR_EDGE);
   for(int e = 0; e < edges.number_of_edges(); ++e)
@@ -105,10 +110,16 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
     const Face_side& t = edges.side(e, 1);
     const bool is_coherent = surface.triangles[s.face][s.side] == surface.triangles[t.face][next(t.side)];
     if(edges.number_of_sides(e) > 2 || !is_coherent)
+    {
       classes[e] = NON_MANIFOLD_EDGE;
-    else if(is_constrained(s.face, s.side) || is_constrained(t.face, t.side))
+      continue;
+    }
+    const Edge_mark mark = (std::max)(edge_mark(s.face, s.side), edge_mark(t.face, t.side));
+    if(mark >= MARKED_FEATURE)
       classes[e] = CONSTRAINED_EDGE;
-    else if(dihedral_deviation(surface, s.face, t.face) > sharp_angle)
+    else if(mark == MARKED_PATCH_BORDER)
+      classes[e] = PATCH_BORDER_EDGE;
+    else if(mark == UNMARKED_EDGE && dihedral_deviation(surface, s.face, t.face) > sharp_angle)
       classes[e] = SHARP_EDGE;
   }
   discard_isolated_sharp_edges(surface, edges, sharp_angle, classes);

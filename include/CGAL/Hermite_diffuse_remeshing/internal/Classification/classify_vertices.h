@@ -13,6 +13,7 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -20,20 +21,10 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-enum Vertex_class
-{
-  SURFACE_VERTEX,
-  CURVE_VERTEX,          // two feature edges that go on smoothly
-  CORNER_VERTEX,         // never moved nor removed
-  APEX_VERTEX            // a corner without feature edges: the tip of a cone
-};
-
-inline bool is_corner(const Vertex_class c) { return c == CORNER_VERTEX || c == APEX_VERTEX; }
-
 // Angles are in radians. A vertex is a corner if the user says so, if the number of its feature
-// edges is neither zero nor two, if its two feature edges turn by more than `corner_angle`, if
-// several sheets touch there, or if its angular defect, the absolute value of 2 pi minus the sum
-// of the angles of its faces, exceeds `apex_defect` (paper, section 2.2).
+// edges is neither zero nor two, if its two feature edges have different classes or numbers of faces or turn by
+// more than `corner_angle`, if several sheets touch there, or if its angular defect, the absolute value
+// of 2 pi minus the sum of the angles of its faces, exceeds `apex_defect` (paper, section 2.2).
 template <typename IsConstrained>
 std::vector<Vertex_class> classify_vertices(const Indexed_triangles& surface,
                                             const Edge_table& edges,
@@ -44,7 +35,7 @@ std::vector<Vertex_class> classify_vertices(const Indexed_triangles& surface,
                                             const IsConstrained& is_constrained)
 {
   const int nv = surface.number_of_vertices();
-  struct Feature_star { int number = 0; int other_end[2] = {-1, -1}; };
+  struct Feature_star { int number = 0; int edge[2] = {-1, -1}; };
   std::vector<Feature_star> stars(nv);
   for(int e = 0; e < edges.number_of_edges(); ++e)
     if(is_feature(edge_classes[e]))
@@ -52,45 +43,51 @@ std::vector<Vertex_class> classify_vertices(const Indexed_triangles& surface,
       {
         Feature_star& star = stars[v];
         if(star.number < 2)
-          star.other_end[star.number] = edges.opposite_vertex(e, v);
+          star.edge[star.number] = e;
         ++star.number;
       }
 
-  std::vector<int> number_of_nodes(nv, 0);
-  std::vector<double> angle_sum(nv, 0.);
+  std::vector<int> number_of_nodes(nv, 0), number_of_closed_nodes(nv, 0);
+  std::vector<double> largest_defect(nv, 0.);          // of the closed nodes
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
   {
     const int v = cut_mesh.vertex(i);
     ++number_of_nodes[v];
+    double angle_sum = 0.;
     for(const int c : cut_mesh.corners(i))
     {
       const Vector& p = surface.points[v];
-      angle_sum[v] += angle_between(surface.point(c / 3, next(c % 3)) - p,
-                                    surface.point(c / 3, previous(c % 3)) - p);
+      angle_sum += angle_between(surface.point(c / 3, next(c % 3)) - p, surface.point(c / 3, previous(c % 3)) - p);
     }
+    if(cut_mesh.is_open(i))
+      continue;
+    ++number_of_closed_nodes[v];
+    largest_defect[v] = (std::max)(largest_defect[v],
+                                   std::abs(2. * boost::math::constants::pi<double>() - angle_sum));
   }
 
   std::vector<Vertex_class> classes(nv, SURFACE_VERTEX);
   for(int v = 0; v < nv; ++v)
   {
     const Feature_star& star = stars[v];
-    if(star.number == 0)
-    {
-      const double defect = std::abs(2. * boost::math::constants::pi<double>() - angle_sum[v]);
-      if(defect > apex_defect && number_of_nodes[v] == 1)
-        classes[v] = APEX_VERTEX;
-      else if(number_of_nodes[v] > 1 || is_constrained(v))
-        classes[v] = CORNER_VERTEX;
-    }
-    else if(star.number == 2 && !is_constrained(v))
+    if(star.number == 0 && largest_defect[v] > apex_defect)
+      classes[v] = APEX_VERTEX;
+    else if(is_constrained(v))
+      classes[v] = CONSTRAINED_VERTEX;
+    else if(star.number == 0)
+      classes[v] = number_of_nodes[v] > 1 ? TOUCHING_VERTEX : SURFACE_VERTEX;
+    else if(number_of_closed_nodes[v] > 0 && star.number == 2)
+      classes[v] = TOUCHING_VERTEX;
+    else if(star.number != 2 || edge_classes[star.edge[0]] != edge_classes[star.edge[1]]
+            || edges.number_of_sides(star.edge[0]) != edges.number_of_sides(star.edge[1]))
+      classes[v] = JUNCTION_VERTEX;
+    else
     {
       const Vector& p = surface.points[v];
-      const double kink = angle_between(p - surface.points[star.other_end[0]],
-                                        surface.points[star.other_end[1]] - p);
-      classes[v] = kink > corner_angle ? CORNER_VERTEX : CURVE_VERTEX;
+      const double kink = angle_between(p - surface.points[edges.opposite_vertex(star.edge[0], v)],
+                                        surface.points[edges.opposite_vertex(star.edge[1], v)] - p);
+      classes[v] = kink > corner_angle ? KINK_VERTEX : CURVE_VERTEX;
     }
-    else
-      classes[v] = CORNER_VERTEX;
   }
   return classes;
 }

@@ -9,9 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CURVES_FEATURE_SPLINE_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CURVES_FEATURE_SPLINE_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
-
-#include <boost/math/constants/constants.hpp>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Curves/find_straight_segments.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +22,8 @@ namespace internal {
 // A C1 cubic spline through the points of a chain, parametrised by (nearly) its arc length.
 // The tangent at a point is that of the circle through it and its two neighbours, so points on a
 // circle give the circle to the sixth order of the angle; at an end the circle's tangent there.
-// Tessellations have about the same sagitta everywhere. A segment whose neighbours would make it
-// bulge many times more than they do themselves is therefore taken as straight (a long edge
-// between two rounded corners), and its neighbours become tangent to it. Where the turns
-// alternate strongly the chain is kept as a polyline.
+// Where no arc is credible the segment is straight, and its neighbours become tangent to it; where that would make
+// one of them turn too much, it is straight, too: the chain is a polyline there.
 class Feature_spline
 {
   struct Segment
@@ -45,56 +41,26 @@ public:
   // `is_closed`: the last point is joined to the first, which is not repeated
   Feature_spline(const std::vector<Vector>& points, const bool is_closed)
   {
-    const int n = static_cast<int>(points.size());
-    const int ns = is_closed ? n : n - 1;
-    const auto chord = [&](const int i) -> Vector { return points[(i + 1) % n] - points[i]; };
-    const auto before = [&](const int i) { return is_closed ? (i + ns - 1) % ns : i - 1; };
-    const auto has_turn = [&](const int i) { return is_closed || (i > 0 && i < n - 1); };
+    const Polyline line(points, is_closed);
+    const int ns = line.number_of_segments();
+    std::vector<bool> straight = find_straight_segments(line);
+    std::vector<Vector> start_tangents, end_tangents;
+    do
+      find_tangents(line, straight, start_tangents, end_tangents);
+    while(straighten_turned(start_tangents, end_tangents, straight));
 
-    // vector along the axis of the turn at a point, of length curvature
-    std::vector<Vector> turn(n, Vector::Zero());
-    m_curvatures.assign(n, 0.);
-    for(int i = 0; i < n; ++i)
-      if(has_turn(i))
-      {
-        const Vector u = chord(before(i)), v = chord(i);
-        const Vector axis = u.cross(v);
-        const double sine = axis.norm(), lengths = u.norm() + v.norm();
-        if(sine > 0. && lengths > 0.)
-          turn[i] = axis / sine * (2. * angle_between(u, v) / lengths);
-        m_curvatures[i] = turn[i].norm();
-      }
-
-    const std::vector<bool> straight = find_straight_segments(turn, ns, n, is_closed, chord);
-
-    std::vector<Vector> start_tangent(ns), end_tangent(ns);
-    for(int i = 0; i < ns; ++i)
-      start_tangent[i] = end_tangent[i] = chord(i).stableNormalized();
-    for(int i = 0; i < n; ++i)
-      if(has_turn(i))
-      {
-        const int p = before(i), q = i;
-        const Vector u = chord(p), v = chord(q);
-        if(straight[p] && straight[q])
-          continue;
-        const Vector tangent = straight[p] ? u.stableNormalized()
-                             : straight[q] ? v.stableNormalized()
-                             : circle_tangent(u, v);
-        end_tangent[p] = start_tangent[q] = tangent;
-      }
+    for(int i = 0; i < line.number_of_points(); ++i)
+      m_curvatures.push_back(line.curvature(i));
     if(!is_closed && ns > 1)
     {
-      start_tangent[0] = mirrored(end_tangent[0], chord(0));
-      end_tangent[ns-1] = mirrored(start_tangent[ns-1], chord(ns-1));
-      m_curvatures[0] = m_curvatures[1];
-      m_curvatures[n-1] = m_curvatures[n-2];
+      m_curvatures.front() = m_curvatures[1];
+      m_curvatures.back() = m_curvatures[ns-1];
     }
 
     m_parameters.assign(1, 0.);
     for(int i = 0; i < ns; ++i)
     {
-      m_segments.push_back(make_segment(points[i], points[(i + 1) % n], start_tangent[i], end_tangent[i],
-                                        straight[i]));
+      m_segments.push_back(make_segment(line.start(i), line.end(i), start_tangents[i], end_tangents[i], straight[i]));
       m_parameters.push_back(m_parameters.back() + length(m_segments.back()));
     }
     if(is_closed)
@@ -139,6 +105,33 @@ public:
     return (1. - at.second) * m_curvatures[at.first] + at.second * m_curvatures[at.first + 1];
   }
 
+  // The largest distance between the spline from one parameter to another and its chord, over the points
+  // and some places in between.
+  double distance_to_chord(const double first, const double last) const
+  {
+    // an arc of a cubic is at most this far from its chord by 1 + 1/15 times what is seen at these places
+    constexpr int places_per_segment = 4;
+    const Vector a = point(first), chord = point(last) - a;
+    const double length2 = chord.squaredNorm();
+    double largest = 0.;
+    const auto visit = [&](const double s)
+    {
+      const Vector d = point(s) - a;
+      const double u = length2 > 0. ? (std::max)(0., (std::min)(1., d.dot(chord) / length2)) : 0.;
+      largest = (std::max)(largest, (d - u * chord).norm());
+    };
+    for(int i = segment(first).first; i < number_of_segments() && m_parameters[i] < last; ++i)
+    {
+      const double from = (std::max)(first, m_parameters[i]), to = (std::min)(last, m_parameters[i+1]);
+      if(m_segments[i].is_straight)
+        visit(to);
+      else
+        for(int k = 1; k <= places_per_segment; ++k)
+          visit(from + (to - from) * k / places_per_segment);
+    }
+    return largest;
+  }
+
 private:
   // tangent at the middle point of the circle through three points, from its two chords
   static Vector circle_tangent(const Vector& u, const Vector& v)
@@ -157,41 +150,41 @@ private:
     return 2. * tangent.dot(d) * d - tangent;
   }
 
-  template <typename Chord>
-  static std::vector<bool> find_straight_segments(const std::vector<Vector>& turn, const int ns, const int n,
-                                                  const bool is_closed, const Chord& chord)
+  static void find_tangents(const Polyline& line, const std::vector<bool>& straight,
+                            std::vector<Vector>& start_tangents, std::vector<Vector>& end_tangents)
   {
-    constexpr double credible_ratio = 4.;                // of sagittas of neighbouring segments
-    constexpr double zigzag = 15. * boost::math::constants::pi<double>() / 180.;
-    std::vector<double> sagitta(ns);
+    const int ns = line.number_of_segments();
+    start_tangents.resize(ns);
     for(int i = 0; i < ns; ++i)
-      sagitta[i] = (turn[i].norm() + turn[(i + 1) % n].norm()) / 16. * chord(i).squaredNorm();
+      start_tangents[i] = line.chord(i).stableNormalized();
+    end_tangents = start_tangents;
+    for(int i = 0; i < ns; ++i)
+    {
+      const int before = line.segment(i, -1);
+      if(!line.has_turn(i) || (straight[before] && straight[i]))
+        continue;
+      const Vector u = line.chord(before), v = line.chord(i);
+      end_tangents[before] = start_tangents[i] = straight[before] ? u.stableNormalized()
+                                               : straight[i] ? v.stableNormalized() : circle_tangent(u, v);
+    }
+    if(!line.is_closed() && ns > 1)
+    {
+      if(!straight[0])
+        start_tangents[0] = mirrored(end_tangents[0], line.chord(0));
+      if(!straight[ns-1])
+        end_tangents[ns-1] = mirrored(start_tangents[ns-1], line.chord(ns-1));
+    }
+  }
 
-    std::vector<bool> straight(ns, false), alternates(ns, false);
-    for(int i = 0; i < ns; ++i)
-    {
-      const Vector& t0 = turn[i];
-      const Vector& t1 = turn[(i + 1) % n];
-      alternates[i] = t0.dot(t1) < 0. && chord(i).norm() * (std::min)(t0.norm(), t1.norm()) > zigzag;
-    }
-    for(int i = 0; i < ns; ++i)
-    {
-      double neighbours = 0.;
-      bool has_neighbour = false;
-      for(const int step : {-1, 1})
-      {
-        const int j = is_closed ? (i + step + ns) % ns : i + step;
-        if(j < 0 || j >= ns)
-          continue;
-        has_neighbour = true;
-        neighbours = (std::max)(neighbours, sagitta[j]);
-      }
-      // at an end there is no second turn to compare: the zigzag of the neighbour goes on
-      const bool is_zigzag_end = !is_closed && ns > 1
-                              && ((i == 0 && alternates[1]) || (i == ns - 1 && alternates[ns-2]));
-      straight[i] = !has_neighbour || alternates[i] || is_zigzag_end || sagitta[i] > credible_ratio * neighbours;
-    }
-    return straight;
+  // makes the segments straight that turn by too much; was there one?
+  static bool straighten_turned(const std::vector<Vector>& start_tangents, const std::vector<Vector>& end_tangents,
+                                std::vector<bool>& straight)
+  {
+    bool is_changed = false;
+    for(std::size_t i = 0; i < straight.size(); ++i)
+      if(!straight[i] && angle_between(start_tangents[i], end_tangents[i]) > largest_credible_turn)
+        straight[i] = is_changed = true;
+    return is_changed;
   }
 
   static Segment make_segment(const Vector& start, const Vector& end,

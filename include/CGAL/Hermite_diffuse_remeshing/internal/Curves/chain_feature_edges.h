@@ -137,7 +137,7 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
     if(!is_loop)
       return store(vs, es, spline, 0, last);
     const int middle = chaining::middle_vertex(vs, surface);
-    vertex_classes[start] = vertex_classes[vs[middle]] = CORNER_VERTEX;
+    vertex_classes[start] = vertex_classes[vs[middle]] = JUNCTION_VERTEX;
     store(vs, es, spline, 0, middle);
     store(vs, es, spline, middle, last);
   };

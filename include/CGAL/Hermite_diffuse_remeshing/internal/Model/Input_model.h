@@ -36,15 +36,15 @@ struct Input_model
   Reference_surface surface;
   Reference_locator locator;
 
-  // `is_edge_constrained(face, side)`, `is_vertex_constrained(vertex)`: the user's features;
+  // `edge_mark(face, side)`, `is_vertex_constrained(vertex)`: the user's features;
   // `vertex_normals`: unit normals that the user knows, or zero, or no vector at all
-  template <typename IsEdgeConstrained, typename IsVertexConstrained>
+  template <typename EdgeMark, typename IsVertexConstrained>
   Input_model(const Indexed_triangles& triangles, const Feature_options& features, const Model_options& options,
-              const IsEdgeConstrained& is_edge_constrained, const IsVertexConstrained& is_vertex_constrained,
+              const EdgeMark& edge_mark, const IsVertexConstrained& is_vertex_constrained,
               const std::vector<Vector>& vertex_normals = std::vector<Vector>(),
               const Progress& progress = Progress())
     : edges(triangles)
-    , edge_classes(classify_edges(triangles, edges, features.sharp_angle, is_edge_constrained))
+    , edge_classes(classify_edges(triangles, edges, features.sharp_angle, edge_mark))
     , surface(make_surface(triangles, features, options, is_vertex_constrained, vertex_normals, progress))
     , locator(surface)
   {}

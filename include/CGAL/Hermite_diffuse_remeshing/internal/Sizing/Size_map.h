@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Frozen_lengths.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Feature_gaps.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
@@ -66,6 +67,7 @@ class Size_map
   };
   Feature_gaps m_gaps;
   Pair_map<Curve_piece> m_curve_pieces;   // of the feature edges
+  Frozen_lengths m_frozen;
   double m_scale = 1.;                    // of the own sizes, to meet a budget
   bool m_is_sample_lowered = false;       // since the sizes were last graded
   double m_number_of_probes = 0.;
@@ -85,8 +87,10 @@ class Size_map
   static constexpr int maximum_number_of_rounds = 48;
 
 public:
+  // `is_edge_frozen`: of the edges of the table; empty if none is
   Size_map(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
-           const Size_options& options, const Progress& progress = Progress())
+           const Size_options& options, const std::vector<char>& is_edge_frozen = std::vector<char>(),
+           const Progress& progress = Progress())
     : m_sources(surface, options), m_progress(progress), m_cells(surface.triangles())
     , m_gaps(surface.triangles(), surface.cut_mesh(), edges, curves)
   {
@@ -95,6 +99,12 @@ public:
       m_area_ratios.push_back(m_sources.area_ratio(f));
     sample_vertices(surface, curves);
     sample_curves(edges, curves);
+    for(std::size_t e = 0; e < is_edge_frozen.size(); ++e)
+      if(is_edge_frozen[e])
+      {
+        const std::array<int, 2>& ends = edges.vertices(static_cast<int>(e));
+        m_frozen.add_edge(ends[0], ends[1], (m_samples[ends[1]].position - m_samples[ends[0]].position).norm());
+      }
     refine();
     // From now on the mesh changes, and a field that refers to it with it: what has been read is
     // all that is known.
@@ -176,6 +186,9 @@ public:
       grade();
     }
   }
+
+  // that an edge of a size may have over a feature curve
+  double largest_sagitta(const double size) const { return m_scale * m_sources.largest_sagitta(size); }
 
   // of the sizes that were asked for
   double scale() const { return m_scale; }
@@ -303,6 +316,7 @@ private:
       m_samples.push_back({(m_samples[key.first].position + m_samples[key.second].position) / 2.,
                            user_size, user_size});
       m_middles[key] = sample;
+      m_frozen.add_middle(a, b, sample);
       if(is_on_curve)
       {
         const Curve_piece piece = on_curve->second;
@@ -405,6 +419,7 @@ private:
     m_sizes.resize(m_samples.size());
     for(std::size_t i = 0; i < m_samples.size(); ++i)
       m_sizes[i] = asked_size(static_cast<int>(i));
+    m_frozen.lower(m_sizes);
     if(m_sources.options().gradation == 1.)
     {
       // one size for all
@@ -415,8 +430,10 @@ private:
     for(int c = 0; c < m_cells.number_of_cells(); ++c)
       if(m_cells.is_leaf(c))
         leaves.push_back(m_cells[c].samples);
-    limit_gradation(leaves, [this](const int i) -> const Vector& { return m_samples[i].position; },
-                    slope_of_gradation(m_sources.options().gradation), m_sizes);
+    const auto position = [this](const int i) -> const Vector& { return m_samples[i].position; };
+    limit_gradation(leaves, position, slope_of_gradation(m_sources.options().gradation), m_sizes);
+    if(!m_frozen.is_empty())
+      m_frozen.raise(leaves, position, m_sizes);
   }
 };
 

@@ -35,6 +35,9 @@ struct Size_options
   double maximum_deviation = std::numeric_limits<double>::infinity();
   double minimum_length = 0., maximum_length = 0.;
   double gradation = 1.3;
+  // Feature curves with a larger radius are treated as if they had this one: on a long flat arc an error that is
+  // small against the radius would be large against the model.
+  double largest_curve_radius = std::numeric_limits<double>::infinity();
   // the user's size at a point and a location, infinite where there is none
   std::function<double(const Vector&, const Location&)> user_size;
   // the user's size may differ from face to face at the same point
@@ -73,6 +76,17 @@ public:
                                        length_of_deviation(m_options.maximum_deviation, radius));
     return m_options.sagitta < std::numeric_limits<double>::infinity()
            ? (std::min)(relative, length_of_sagitta(m_options.sagitta, radius)) : relative;
+  }
+
+  // The distance between an arc and its chord if the chord has a size that the relative error asks for; the other
+  // laws, and a size of the user, ask for no more.
+  double largest_sagitta(const double size) const
+  {
+    if(!(m_options.length_over_radius < std::numeric_limits<double>::infinity()))
+      return std::numeric_limits<double>::infinity();
+    const double half_angle = std::asin((std::min)(1., m_options.length_over_radius / 2.));
+    const double radius = (std::min)(size / m_options.length_over_radius, m_options.largest_curve_radius);
+    return radius * (1. - std::cos(half_angle));
   }
 
   double of_surface(const Location& location) const

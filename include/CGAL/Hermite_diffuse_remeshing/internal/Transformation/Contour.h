@@ -42,7 +42,7 @@ public:
   {
     const int n = static_cast<int>(m_corners.size());
     const auto is_free = [&](const int i, const int j)
-    { return j - i == 1 || j - i == n - 1 || !halfedge(m_corners[i], m_corners[j], mesh.tmesh()).second; };
+    { return j - i == 1 || j - i == n - 1 || !mesh.are_joined(m_corners[i], m_corners[j]); };
     const Scored_triangulation best = best_triangulation(n, [&](const int i, const int j, const int k)
     {
       if(!is_free(i, j) || !is_free(j, k) || !is_free(i, k))

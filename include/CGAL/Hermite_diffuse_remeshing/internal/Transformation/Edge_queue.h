@@ -64,6 +64,9 @@ collect_edges(const Working_mesh<UserMesh>& mesh, const int direction, const IsC
       queue.push_back({h, direction * urgency_level(length), mesh.edge_key(h)});
   }
   std::sort(queue.begin(), queue.end());
+  // the copies of an edge of a junction are changed together
+  queue.erase(std::unique(queue.begin(), queue.end(), [](const Queued_edge<Mesh>& a, const Queued_edge<Mesh>& b)
+                          { return a.key == b.key; }), queue.end());
   return queue;
 }
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_ELEMENTS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_ELEMENTS_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Junctions.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
 
@@ -24,7 +25,8 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // What is known of the elements of the user's mesh while it is remeshed. Vertices carry numbers that do
-// not depend on descriptors, so that an order by them is the same for every type of mesh.
+// not depend on descriptors, so that an order by them is the same for every type of mesh. Copies of a vertex,
+// where sheets of a non-manifold surface meet, have one number, and with it all data.
 template <typename UserMesh>
 class Mesh_elements
 {
@@ -35,6 +37,8 @@ public:
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Junctions<vertex_descriptor>::Copies Copies;
+  typedef std::vector<halfedge_descriptor> Siblings;
 
   struct Vertex
   {
@@ -43,13 +47,14 @@ public:
     int reference_vertex = -1;          // of a vertex that is still at its place in the input
     bool is_frozen = false;
     std::size_t change = 0;             // the last change of the faces around it
-    vertex_descriptor descriptor = Graph_traits::null_vertex();   // null: the number is free
+    vertex_descriptor descriptor = Graph_traits::null_vertex();   // one of the copies; null: the number is free
   };
 
 protected:
   struct Edge
   {
     int curve = -1;                     // -1: interior
+    Edge_class type = INTERIOR_EDGE;
     bool is_protected = false;
     bool is_constrained = false;        // in the user's map
   };
@@ -65,6 +70,7 @@ protected:
   Face_hint_map m_hint;                 // a face of the reference near the face; -1: not to be remeshed
   std::vector<Vertex> m_vertices;
   std::vector<int> m_free_vertices;
+  Junctions<vertex_descriptor> m_junctions;
   std::vector<char> m_is_reference_face_remeshed;
   std::size_t m_number_of_faces = 0;    // that are remeshed
   std::size_t m_number_of_changes = 0;
@@ -73,7 +79,8 @@ protected:
 
 public:
   // `faces_of_reference[i]` is the face of the mesh that became face i of the reference;
-  // `is_remeshed[i]` selects the part to work on.
+  // `is_remeshed[i]` selects the part to work on; `is_edge_frozen(face of the reference, side)`: may the edge not
+  // be changed?
   template <typename IsFrozen>
   Mesh_elements(const UserMesh& user, const Reference& reference,
                 const std::vector<face_descriptor>& faces_of_reference,
@@ -92,6 +99,7 @@ public:
 
     const Indexed_triangles& triangles = reference.surface.triangles();
     std::vector<int> index_of_vertex(triangles.number_of_vertices(), -1);
+    std::vector<Copies> copies_of_vertex(triangles.number_of_vertices());
     for(int f = 0; f < triangles.number_of_faces(); ++f)
     {
       put(m_hint, faces_of_reference[f], is_remeshed[f] ? f : -1);
@@ -100,9 +108,13 @@ public:
       for(int k = 0; k < 3; ++k, h = next(h, user.tmesh))
       {
         const int v = triangles.triangles[f][k];
+        const vertex_descriptor copy = source(h, user.tmesh);
         if(index_of_vertex[v] == -1)
-          index_of_vertex[v] = make_initial_vertex(source(h, user.tmesh), f, k);
-        make_initial_edge(edge(h, user.tmesh), reference.edges.edge(f, k), is_edge_frozen(h));
+          index_of_vertex[v] = make_initial_vertex(copy, f, k);
+        if(copies_of_vertex[v].empty() || get(m_vertex_index, copy) == -1)
+          copies_of_vertex[v].push_back(copy);
+        put(m_vertex_index, copy, index_of_vertex[v]);
+        make_initial_edge(edge(h, user.tmesh), reference.edges.edge(f, k), is_edge_frozen(f, k));
       }
     }
     for(std::size_t c = 0; c < reference.curves.curves.size(); ++c)
@@ -112,6 +124,8 @@ public:
         m_vertices[index_of_vertex[curve.vertices[i]]].site =
           reference.curve_site(static_cast<int>(c), curve.spline.parameter(static_cast<int>(i)));
     }
+    for(int v = 0; v < triangles.number_of_vertices(); ++v)
+      m_junctions.set(index_of_vertex[v], copies_of_vertex[v]);
     freeze_seam_and_protected_edges();
   }
 
@@ -130,6 +144,7 @@ public:
 
   int curve(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).curve; }
   bool is_on_curve(const halfedge_descriptor h) const { return curve(h) != -1; }
+  Edge_class edge_class(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).type; }
   bool is_protected(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).is_protected; }
 
   bool is_border_or_outside(const halfedge_descriptor h) const
@@ -177,6 +192,44 @@ public:
                                       : m_reference.end_parameter(curve, vertex.reference_vertex);
   }
 
+  // \name Junctions
+  template <typename Visit>
+  void visit_copies(const vertex_descriptor v, const Visit& visit) const { m_junctions.visit_copies(index(v), v, visit); }
+  Copies copies(const vertex_descriptor v) const
+  {
+    Copies result;
+    visit_copies(v, [&result](const vertex_descriptor copy) { result.push_back(copy); });
+    return result;
+  }
+  bool has_copies(const vertex_descriptor v) const { return m_junctions.has(index(v)); }
+
+  // the copies of an edge of a curve, in the direction of h; any other edge is its only copy
+  Siblings siblings(const halfedge_descriptor h) const
+  {
+    const vertex_descriptor s = source(h, tmesh()), t = target(h, tmesh());
+    if(!is_on_curve(h) || (!has_copies(s) && !has_copies(t)))
+      return Siblings(1, h);
+    Siblings result;
+    for(const vertex_descriptor a : copies(s))
+      visit_copies(t, [&](const vertex_descriptor b)
+      {
+        const std::pair<halfedge_descriptor, bool> found = halfedge(a, b, tmesh());
+        if(found.second && curve(found.first) == curve(h))
+          result.push_back(found.first);
+      });
+    return result;
+  }
+
+  // Are two vertices copies of one, or are any of their copies joined by an edge? Another edge between them would
+  // be a new junction.
+  bool are_joined(const vertex_descriptor v, const vertex_descriptor w) const
+  {
+    bool result = index(v) == index(w);
+    visit_copies(v, [&](const vertex_descriptor a)
+    { visit_copies(w, [&](const vertex_descriptor b) { result = result || halfedge(a, b, tmesh()).second; }); });
+    return result;
+  }
+
   // \name Changes
   // Changes are numbered. An operator that remembers how many there were when it began its last pass
   // needs to look only at what has changed since.
@@ -197,7 +250,8 @@ public:
   const std::vector<int>& log() const { return m_log; }
 
 protected:
-  int add_vertex(const vertex_descriptor v, const Vertex& data)
+  // the caller tells which vertices have the number
+  int add_vertex(const Vertex& data)
   {
     int i = static_cast<int>(m_vertices.size());
     if(m_free_vertices.empty())
@@ -208,14 +262,13 @@ protected:
       m_free_vertices.pop_back();
       m_vertices[i] = data;
     }
-    m_vertices[i].descriptor = v;
-    put(m_vertex_index, v, i);
     return i;
   }
 
   void free_vertex(const int i)
   {
     m_vertices[i].descriptor = Graph_traits::null_vertex();
+    m_junctions.erase(i);
     m_free_vertices.push_back(i);
   }
 
@@ -237,8 +290,11 @@ protected:
   {
     ++m_number_of_changes;
     touch(v);
-    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-      touch(source(h, tmesh()));
+    visit_copies(v, [&](const vertex_descriptor copy)
+    {
+      for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
+        touch(source(h, tmesh()));
+    });
   }
 
   // the two faces of an edge
@@ -263,13 +319,15 @@ private:
       vertex.site.normal = m_reference.surface.blended_normal(vertex.site.location);
     vertex.reference_vertex = v;
     vertex.change = m_number_of_changes = 1;
-    return add_vertex(descriptor, vertex);
+    vertex.descriptor = descriptor;
+    return add_vertex(vertex);
   }
 
   void make_initial_edge(const edge_descriptor e, const int reference_edge, const bool is_frozen)
   {
     Edge data;
     data.curve = m_reference.curves.curve_of_edge[reference_edge];
+    data.type = m_reference.edge_classes[reference_edge];
     data.is_constrained = get(m_user.edge_is_constrained, e);
     data.is_protected = is_frozen;
     put(m_edge, e, data);

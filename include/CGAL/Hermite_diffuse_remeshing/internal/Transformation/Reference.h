@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_locator.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct Site
 struct Reference
 {
   const Edge_table& edges;
+  const std::vector<Edge_class>& edge_classes;
   const std::vector<Vertex_class>& vertex_classes;
   const Feature_curves& curves;
   const Reference_surface& surface;
@@ -121,6 +123,15 @@ struct Reference
     site.location = c.location(parameter, surface.triangles(), edges);
     site.size = sizes(site.location);
     return site;
+  }
+
+  // Is a chord of a feature curve as close to it as the error law allows for an edge of the size there?
+  bool is_chord_faithful(const int curve, const double first, const double last) const
+  {
+    const Feature_curve& c = curves.curves[curve];
+    const double size = (sizes(c.location(first, surface.triangles(), edges))
+                         + sizes(c.location(last, surface.triangles(), edges))) / 2.;
+    return c.spline.distance_to_chord((std::min)(first, last), (std::max)(first, last)) <= sizes.largest_sagitta(size);
   }
 
   // at a vertex of the reference, seen from one of its faces; without normal

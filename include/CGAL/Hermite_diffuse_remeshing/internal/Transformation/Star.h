@@ -48,11 +48,17 @@ private:
 public:
   Star(const Reference& reference, const Objective objective) : m_reference(reference), m_objective(objective) {}
 
+  // adds the remeshed faces around all copies of v
+  template <typename UserMesh>
+  void add(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v)
+  {
+    mesh.visit_copies(v, [&](const auto copy) { add(mesh, copy, Working_mesh<UserMesh>::Graph_traits::null_vertex()); });
+  }
+
   // adds the remeshed faces around v, without those that have the vertex `skipped`
   template <typename UserMesh>
   void add(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v,
-           const typename Working_mesh<UserMesh>::vertex_descriptor skipped
-             = Working_mesh<UserMesh>::Graph_traits::null_vertex())
+           const typename Working_mesh<UserMesh>::vertex_descriptor skipped)
   {
     const auto& tm = mesh.tmesh();
     for(const auto h : CGAL::halfedges_around_target(v, tm))

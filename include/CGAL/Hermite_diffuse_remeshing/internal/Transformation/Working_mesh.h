@@ -25,7 +25,8 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // The one gate to the user's mesh: every Euler operation, every change of a point, of a constraint or of
-// a patch label, and every call of the visitor is made here.
+// a patch label, and every call of the visitor is made here. An operation on a vertex or an edge of a
+// junction is carried out on all its copies.
 template <typename UserMesh>
 class Working_mesh : public Mesh_elements<UserMesh>
 {
@@ -40,6 +41,7 @@ public:
   typedef typename Base::halfedge_descriptor halfedge_descriptor;
   typedef typename Base::edge_descriptor edge_descriptor;
   typedef typename Base::face_descriptor face_descriptor;
+  typedef typename Base::Copies Copies;
   typedef std::vector<std::pair<vertex_descriptor, vertex_descriptor> > Diagonals;
 
 private:
@@ -49,6 +51,7 @@ private:
   using Base::m_edge;
   using Base::m_hint;
   using Base::m_vertices;
+  using Base::m_junctions;
   using Base::m_number_of_faces;
   using Base::m_number_of_changes;
 
@@ -62,6 +65,9 @@ public:
   using Base::point;
   using Base::hint;
   using Base::is_remeshed;
+  using Base::is_on_curve;
+  using Base::siblings;
+  using Base::visit_copies;
   using Base::has_changed;
   using Base::touch_around;
   using Base::touch_quadrangle;
@@ -104,65 +110,38 @@ public:
   // inserts a vertex at a site in the edge of h and joins it to the opposite vertices
   vertex_descriptor split_edge(const halfedge_descriptor h, const Site& site)
   {
-    TriangleMesh& tm = m_user.tmesh;
-    m_user.visitor.before_edge_split(edge(h, tm));
-    const Edge edge_data = get(m_edge, edge(h, tm));
-    const halfedge_descriptor o = opposite(h, tm);
-
-    const halfedge_descriptor h_new = CGAL::Euler::split_edge(h, tm);
-    const vertex_descriptor v = target(h_new, tm);
-    set_edge(edge(h_new, tm), edge_data);
-    boost::container::static_vector<std::pair<face_descriptor, face_descriptor>, 2> parts;
-    if(!CGAL::is_border(h, tm))
-      parts.push_back(split_face(h_new, next(h, tm)));
-    if(!CGAL::is_border(o, tm))
-      parts.push_back(split_face(o, next(opposite(h_new, tm), tm)));
-
     Vertex vertex;
     vertex.site = site;
-    vertex.type = edge_data.curve == -1 ? SURFACE_VERTEX : CURVE_VERTEX;
-    add_vertex(v, vertex);
-    put_point(v, site.point);
-    touch_around(v);
+    vertex.type = is_on_curve(h) ? CURVE_VERTEX : SURFACE_VERTEX;
+    const typename Base::Siblings edges_to_split = siblings(h);
+    const int number = add_vertex(vertex);
+    Copies copies;
+    for(const halfedge_descriptor sibling : edges_to_split)
+      copies.push_back(split_sibling(sibling, number));
+    m_vertices[number].descriptor = copies.front();
+    m_junctions.set(number, copies);
+    touch_around(copies.front());
     ++m_counts.splits;
-    m_user.visitor.after_edge_split(v);
-    for(const std::pair<face_descriptor, face_descriptor>& part : parts)
-      m_user.visitor.after_face_split(part.first, part.second);
-    return v;
+    return copies.front();
   }
 
   // removes the source of h; its target moves to a site
   vertex_descriptor collapse_edge(const halfedge_descriptor h, const Site& site)
   {
-    TriangleMesh& tm = m_user.tmesh;
-    m_user.visitor.before_edge_collapse(h);
-    const halfedge_descriptor o = opposite(h, tm);
-    const int kept = index(target(h, tm)), removed = index(source(h, tm));
-
-    // Euler::collapse_edge() keeps one edge of each of the two triangles, which one depends on the
-    // direction of the edge; ours are the ones at the target
-    struct Kept_edge { vertex_descriptor end; Edge data; };
-    std::vector<Kept_edge> kept_edges;
-    const halfedge_descriptor at_target[2] = {next(h, tm), prev(o, tm)};
-    for(int i = 0; i < 2; ++i)
-      if(!CGAL::is_border(i == 0 ? h : o, tm))
-      {
-        --m_number_of_faces;
-        kept_edges.push_back({i == 0 ? target(at_target[i], tm) : source(at_target[i], tm),
-                              get(m_edge, edge(at_target[i], tm))});
-      }
-
-    const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
-    for(const Kept_edge& e : kept_edges)
-      set_edge(edge(v, e.end, tm).first, e.data);
-    free_vertex(removed);
-    put(m_vertex_index, v, kept);
-    m_vertices[kept].descriptor = v;
+    const int kept = index(target(h, tmesh())), removed = index(source(h, tmesh()));
     m_vertices[kept].site = site;
-    put_point(v, site.point);
+    vertex_descriptor v = target(h, tmesh());
+    for(const halfedge_descriptor sibling : siblings(h))
+    {
+      const vertex_descriptor stayed = collapse_sibling(sibling, kept);
+      if(sibling == h)
+        v = stayed;
+    }
+    free_vertex(removed);
+    m_vertices[kept].descriptor = v;
+    visit_copies(v, [&](const vertex_descriptor copy) { put_point(copy, site.point); });
     touch_around(v);
     ++m_counts.collapses;
-    m_user.visitor.after_edge_collapse(v);
     return v;
   }
 
@@ -178,12 +157,15 @@ public:
 
   void relocate(const vertex_descriptor v, const Site& site)
   {
-    m_user.visitor.before_vertex_relocation(v);
+    visit_copies(v, [&](const vertex_descriptor copy) { m_user.visitor.before_vertex_relocation(copy); });
     m_vertices[index(v)].site = site;
-    put_point(v, site.point);
+    visit_copies(v, [&](const vertex_descriptor copy)
+    {
+      put_point(copy, site.point);
+      m_user.visitor.after_vertex_relocation(copy);
+    });
     touch_around(v);
     ++m_counts.relocations;
-    m_user.visitor.after_vertex_relocation(v);
   }
 
   // removes a vertex inside the surface and fills the polygon around it with diagonals
@@ -261,6 +243,59 @@ private:
     int hint;
     typename boost::property_traits<typename UserMesh::FacePatchMap>::value_type patch;
   };
+
+  vertex_descriptor split_sibling(const halfedge_descriptor h, const int number)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    m_user.visitor.before_edge_split(edge(h, tm));
+    const Edge edge_data = get(m_edge, edge(h, tm));
+    const halfedge_descriptor o = opposite(h, tm);
+
+    const halfedge_descriptor h_new = CGAL::Euler::split_edge(h, tm);
+    const vertex_descriptor v = target(h_new, tm);
+    set_edge(edge(h_new, tm), edge_data);
+    boost::container::static_vector<std::pair<face_descriptor, face_descriptor>, 2> parts;
+    if(!CGAL::is_border(h, tm))
+      parts.push_back(split_face(h_new, next(h, tm)));
+    if(!CGAL::is_border(o, tm))
+      parts.push_back(split_face(o, next(opposite(h_new, tm), tm)));
+    put(m_vertex_index, v, number);
+    put_point(v, m_vertices[number].site.point);
+    m_user.visitor.after_edge_split(v);
+    for(const std::pair<face_descriptor, face_descriptor>& part : parts)
+      m_user.visitor.after_face_split(part.first, part.second);
+    return v;
+  }
+
+  vertex_descriptor collapse_sibling(const halfedge_descriptor h, const int kept)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    m_user.visitor.before_edge_collapse(h);
+    const halfedge_descriptor o = opposite(h, tm);
+    const vertex_descriptor target_before = target(h, tm);
+
+    // Euler::collapse_edge() keeps one edge of each of the two triangles, which one depends on the
+    // direction of the edge; ours are the ones at the target
+    struct Kept_edge { vertex_descriptor end; Edge data; };
+    std::vector<Kept_edge> kept_edges;
+    const halfedge_descriptor at_target[2] = {next(h, tm), prev(o, tm)};
+    for(int i = 0; i < 2; ++i)
+      if(!CGAL::is_border(i == 0 ? h : o, tm))
+      {
+        --m_number_of_faces;
+        kept_edges.push_back({i == 0 ? target(at_target[i], tm) : source(at_target[i], tm),
+                              get(m_edge, edge(at_target[i], tm))});
+      }
+
+    const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
+    for(const Kept_edge& e : kept_edges)
+      set_edge(edge(v, e.end, tm).first, e.data);
+    put(m_vertex_index, v, kept);
+    m_junctions.replace(kept, target_before, v);
+    put_point(v, m_vertices[kept].site.point);
+    m_user.visitor.after_edge_collapse(v);
+    return v;
+  }
 
   Face_data face_data(const face_descriptor f) const { return {get(m_hint, f), get(m_user.face_patch, f)}; }
 

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_COLLAPSE_SHORT_EDGES_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
@@ -22,6 +23,22 @@
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
+
+// Would the collapse of h join two vertices that are joined already in another sheet?
+template <typename UserMesh>
+bool does_collapse_make_junction(const Working_mesh<UserMesh>& mesh,
+                                 const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  const auto& tm = mesh.tmesh();
+  const auto s = source(h, tm), t = target(h, tm);
+  for(const auto g : CGAL::halfedges_around_target(s, tm))
+  {
+    const auto w = source(g, tm);
+    if(w != t && (mesh.has_copies(w) || mesh.has_copies(t)) && !halfedge(w, t, tm).second && mesh.are_joined(w, t))
+      return true;
+  }
+  return false;
+}
 
 // May the source of h disappear into its target, as far as features and topology go? A corner and a
 // frozen vertex stay; a vertex of a curve moves only along its curve; two features are not
@@ -36,29 +53,59 @@ bool is_collapse_topologically_legal(const Working_mesh<UserMesh>& mesh,
     return false;
   if(mesh.data(s).type == CURVE_VERTEX && !mesh.is_on_curve(h))
     return false;
-  // an ear between two edges of one curve would fold the curve over
-  for(const auto side : {prev(h, tm), next(opposite(h, tm), tm)})
-    if(mesh.is_on_curve(side) && mesh.data(s).type == CURVE_VERTEX && !CGAL::is_border(side, tm))
+  const auto siblings = mesh.siblings(h);
+  // a copy that does not go along would be left behind
+  if(mesh.has_copies(s) && siblings.size() != mesh.copies(s).size())
+    return false;
+  for(const auto sibling : siblings)
+  {
+    // an ear between two edges of one curve would fold the curve over
+    for(const auto side : {prev(sibling, tm), next(opposite(sibling, tm), tm)})
+      if(mesh.is_on_curve(side) && mesh.data(s).type == CURVE_VERTEX && !CGAL::is_border(side, tm))
+        return false;
+    if(!CGAL::Euler::does_satisfy_link_condition(edge(sibling, tm), tm) || does_collapse_make_junction(mesh, sibling))
       return false;
-  return CGAL::Euler::does_satisfy_link_condition(edge(h, tm), tm);
+  }
+  return true;
 }
 
-// no edge may become longer than `longest_length` times its size
+// The edges that the collapse makes may not be longer than `longest_length` times their size, nor leave a feature
+// curve.
 template <typename UserMesh>
-bool are_lengths_acceptable_after_collapse(const Working_mesh<UserMesh>& mesh,
-                                           const typename Working_mesh<UserMesh>::halfedge_descriptor h,
-                                           const Site& site, const double longest_length)
+bool are_edges_acceptable_after_collapse(const Working_mesh<UserMesh>& mesh,
+                                         const typename Working_mesh<UserMesh>::halfedge_descriptor h,
+                                         const Site& site, const double longest_length)
 {
   const auto& tm = mesh.tmesh();
-  const auto s = source(h, tm), t = target(h, tm);
-  for(const auto v : {s, t})
-    for(const auto g : CGAL::halfedges_around_target(v, tm))
-    {
-      const auto w = source(g, tm);
-      if(w != s && w != t && (mesh.point(w) - site.point).norm() > longest_length * (mesh.size(w) + site.size) / 2.)
-        return false;
-    }
+  if(mesh.is_on_curve(h) && !is_curve_collapse_faithful(mesh, h, site))
+    return false;
+  for(const auto sibling : mesh.siblings(h))
+  {
+    const auto s = source(sibling, tm), t = target(sibling, tm);
+    for(const auto v : {s, t})
+      for(const auto g : CGAL::halfedges_around_target(v, tm))
+      {
+        const auto w = source(g, tm);
+        if(w != s && w != t && (mesh.point(w) - site.point).norm() > longest_length * (mesh.size(w) + site.size) / 2.)
+          return false;
+      }
+  }
   return true;
+}
+
+// the triangles that the collapse leaves around the vertex that stays
+template <typename UserMesh>
+Star star_after_collapse(const Working_mesh<UserMesh>& mesh,
+                         const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Star::Objective objective)
+{
+  Star star(mesh.reference(), objective);
+  for(const auto sibling : mesh.siblings(h))
+  {
+    const auto s = source(sibling, mesh.tmesh()), t = target(sibling, mesh.tmesh());
+    star.add(mesh, s, t);
+    star.add(mesh, t, s);
+  }
+  return star;
 }
 
 // Places for the vertex that stays, best first.
@@ -82,12 +129,9 @@ bool collapse_if_legal(Working_mesh<UserMesh>& mesh,
 {
   if(!is_collapse_topologically_legal(mesh, h))
     return false;
-  const auto s = source(h, mesh.tmesh()), t = target(h, mesh.tmesh());
-  Star star(mesh.reference(), Star::MEAN);
-  star.add(mesh, s, t);
-  star.add(mesh, t, s);
+  const Star star = star_after_collapse(mesh, h, Star::MEAN);
   for(const Site& site : collapse_sites(mesh, h))
-    if(are_lengths_acceptable_after_collapse(mesh, h, site, longest_length) && is_acceptable(star.worth(site)))
+    if(are_edges_acceptable_after_collapse(mesh, h, site, longest_length) && is_acceptable(star.worth(site)))
     {
       mesh.collapse_edge(h, site);
       return true;

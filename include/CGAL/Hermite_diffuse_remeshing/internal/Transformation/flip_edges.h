@@ -77,7 +77,7 @@ bool is_flip_topologically_legal(const Working_mesh<UserMesh>& mesh,
   if(mesh.is_on_curve(h) || mesh.is_protected(h) || mesh.is_border_or_outside(h) || mesh.is_border_or_outside(o))
     return false;
   const auto c = target(next(h, tm), tm), d = target(next(o, tm), tm);
-  return c != d && !halfedge(c, d, tm).second;
+  return c != d && !mesh.are_joined(c, d);
 }
 
 // the change of the sum of squares of the excesses

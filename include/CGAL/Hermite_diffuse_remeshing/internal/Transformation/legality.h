@@ -35,14 +35,17 @@ Worth face_worth(const Working_mesh<UserMesh>& mesh, const typename Working_mesh
                mesh.site(target(next(h, tm), tm)), mesh.hint(h));
 }
 
-// the worst of the faces around a vertex
+// the worst of the faces around a vertex, those around its copies included
 template <typename UserMesh>
 Worth worth_around(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v)
 {
   Worth result;
-  for(const auto h : CGAL::halfedges_around_target(v, mesh.tmesh()))
-    if(!mesh.is_border_or_outside(h))
-      result.add(face_worth(mesh, h));
+  mesh.visit_copies(v, [&](const auto copy)
+  {
+    for(const auto h : CGAL::halfedges_around_target(copy, mesh.tmesh()))
+      if(!mesh.is_border_or_outside(h))
+        result.add(face_worth(mesh, h));
+  });
   return result;
 }
 

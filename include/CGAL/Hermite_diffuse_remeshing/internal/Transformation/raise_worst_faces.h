@@ -115,16 +115,17 @@ private:
   halfedge_descriptor halfedge_of(const Entry& entry) const
   {
     const auto& tm = m_mesh.tmesh();
-    std::array<vertex_descriptor, 3> v;
-    for(int i = 0; i < 3; ++i)
+    halfedge_descriptor result = Mesh::Graph_traits::null_halfedge();
+    if(m_mesh.vertex(entry.corners[0]) == Mesh::Graph_traits::null_vertex())
+      return result;
+    m_mesh.visit_copies(m_mesh.vertex(entry.corners[0]), [&](const vertex_descriptor v)
     {
-      v[i] = m_mesh.vertex(entry.corners[i]);
-      if(v[i] == Mesh::Graph_traits::null_vertex())
-        return Mesh::Graph_traits::null_halfedge();
-    }
-    const auto found = halfedge(v[0], v[1], tm);
-    return found.second && !m_mesh.is_border_or_outside(found.first)
-           && target(next(found.first, tm), tm) == v[2] ? found.first : Mesh::Graph_traits::null_halfedge();
+      for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
+        if(!m_mesh.is_border_or_outside(g) && m_mesh.index(target(next(g, tm), tm)) == entry.corners[1]
+           && m_mesh.index(source(g, tm)) == entry.corners[2])
+          result = next(g, tm);
+    });
+    return result;
   }
 
   void push(const halfedge_descriptor h)
@@ -140,9 +141,12 @@ private:
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     for(const int i : changed)
       if(m_mesh.vertex(i) != Mesh::Graph_traits::null_vertex())
-        for(const halfedge_descriptor h : CGAL::halfedges_around_target(m_mesh.vertex(i), m_mesh.tmesh()))
-          if(!m_mesh.is_border_or_outside(h))
-            push(h);
+        m_mesh.visit_copies(m_mesh.vertex(i), [&](const vertex_descriptor v)
+        {
+          for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh.tmesh()))
+            if(!m_mesh.is_border_or_outside(h))
+              push(h);
+        });
   }
 
   // tries everything at a face, does the best
@@ -210,16 +214,14 @@ private:
     const vertex_descriptor s = source(h, m_mesh.tmesh()), t = target(h, m_mesh.tmesh());
     Worth before = worth_around(m_mesh, s);
     before.add(worth_around(m_mesh, t));
-    Star star(m_mesh.reference(), Star::WORST);
-    star.add(m_mesh, s, t);
-    star.add(m_mesh, t, s);
+    const Star star = star_after_collapse(m_mesh, h, Star::WORST);
     auto sites = collapse_sites(m_mesh, h);
     if(m_mesh.data(s).type == SURFACE_VERTEX && !m_mesh.is_fixed(t) && m_mesh.data(t).type == SURFACE_VERTEX)
       sites[0] = star.better_site(sites[0]);
     for(const Site& site : sites)
     {
       const Worth after = star.worth(site);
-      if(!improves(after, before, plan) || !are_lengths_acceptable_after_collapse(m_mesh, h, site, longest_length))
+      if(!improves(after, before, plan) || !are_edges_acceptable_after_collapse(m_mesh, h, site, longest_length))
         continue;
       take(COLLAPSE, after, plan).halfedge = h;
       plan.site = site;
@@ -229,14 +231,12 @@ private:
   void plan_split(const halfedge_descriptor h, Plan& plan) const
   {
     const auto& tm = m_mesh.tmesh();
-    if(m_mesh.is_protected(h) || m_mesh.is_full() || m_mesh.relative_length(h) < shortest_length_to_split)
+    if(!is_split_topologically_legal(m_mesh, h) || m_mesh.relative_length(h) < shortest_length_to_split)
       return;
     Star star(m_mesh.reference(), Star::WORST);
     Worth before;
-    for(const halfedge_descriptor side : {h, opposite(h, tm)})
+    for(const halfedge_descriptor side : sides_of_split(m_mesh, h))
     {
-      if(m_mesh.is_border_or_outside(side))
-        continue;
       before.add(face_worth(m_mesh, side));
       star.add_side(m_mesh, next(side, tm));
       star.add_side(m_mesh, prev(side, tm));

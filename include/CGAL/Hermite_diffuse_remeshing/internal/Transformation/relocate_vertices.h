@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RELOCATE_VERTICES_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RELOCATE_VERTICES_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
@@ -21,23 +22,6 @@
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
-
-// The two neighbours of a curve vertex along its curve, by their parameters.
-template <typename UserMesh>
-std::pair<double, double> neighbor_parameters(const Working_mesh<UserMesh>& mesh,
-                                              const typename Working_mesh<UserMesh>::vertex_descriptor v)
-{
-  const int curve = mesh.data(v).site.curve;
-  std::pair<double, double> result(mesh.data(v).site.parameter, mesh.data(v).site.parameter);
-  for(const auto h : CGAL::halfedges_around_target(v, mesh.tmesh()))
-    if(mesh.curve(h) == curve)
-    {
-      const double s = mesh.parameter(source(h, mesh.tmesh()), curve);
-      result.first = (std::min)(result.first, s);
-      result.second = (std::max)(result.second, s);
-    }
-  return result;
-}
 
 // Where the sizes want the vertex: on a curve, between its neighbours in proportion to the sizes;
 // on the surface, the centroid of the faces around, each weighted by its area in units of the size.
@@ -90,6 +74,8 @@ std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
     constexpr double least_move = 0.02;
     if((site.point - old_site.point).norm() < least_move * old_site.size)
       continue;
+    if(mesh.data(v).type == CURVE_VERTEX && !is_curve_move_faithful(mesh, v, site.parameter))
+      continue;
     Star star(mesh.reference(), Star::MEAN);
     star.add(mesh, v);
     // the centroid makes good triangles on the whole; a mild loss of the worst is allowed above this
@@ -118,7 +104,7 @@ Site better_site_on_curve(const Working_mesh<UserMesh>& mesh,
     bool is_moved = false;
     for(const double s : {center - step * length, center + step * length})
     {
-      if(s <= ends.first || s >= ends.second)
+      if(s <= ends.first || s >= ends.second || !is_curve_move_faithful(mesh, v, s))
         continue;
       const Site candidate = reference.curve_site(best.curve, s);
       const Star::Badness b = star.badness(candidate);

@@ -75,7 +75,11 @@ public:
     m_halfedge = h;
     m_contours.fill(Contour<UserMesh>());
     const vertex_descriptor v = source(h, tm), a = target(h, tm);
-    if(mesh.data(v).type != CURVE_VERTEX || !mesh.is_on_curve(h) || !is_collapse_topologically_legal(mesh, h))
+    if(mesh.data(v).type != CURVE_VERTEX || !mesh.is_on_curve(h) || !is_collapse_topologically_legal(mesh, h)
+       || !is_curve_collapse_faithful(mesh, h, mesh.site(a)))
+      return Worth{-1., 0.};
+    // two contours are no more than one sheet has: at a junction a collapse has to do
+    if(mesh.has_copies(v))
       return Worth{-1., 0.};
 
     m_contours[0].add(a);

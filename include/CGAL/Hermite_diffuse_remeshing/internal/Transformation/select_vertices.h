@@ -55,8 +55,11 @@ movable_vertices(const Working_mesh<UserMesh>& mesh, const std::size_t since)
     if(mesh.index(v) != -1 && mesh.has_changed(v, since) && !mesh.is_fixed(v)
        && first_remeshed_halfedge(mesh, v) != Working_mesh<UserMesh>::Graph_traits::null_halfedge())
       numbered.push_back(std::make_pair(mesh.index(v), v));
-  std::sort(numbered.begin(), numbered.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
+  // one of the copies of a vertex stands for all
+  std::stable_sort(numbered.begin(), numbered.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  numbered.erase(std::unique(numbered.begin(), numbered.end(),
+                             [](const auto& a, const auto& b) { return a.first == b.first; }), numbered.end());
   std::vector<vertex_descriptor> result;
   result.reserve(numbered.size());
   for(const auto& entry : numbered)

@@ -10,9 +10,11 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_SPLIT_LONG_EDGES_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -31,32 +33,62 @@ Site middle_site(const Working_mesh<UserMesh>& mesh,
   return mesh.reference().surface_site((mesh.point(s) + mesh.point(t)) / 2., mesh.hint(side));
 }
 
+// The halfedges in front of which a split of h halves a remeshed face, all copies included.
+template <typename UserMesh>
+std::vector<typename Working_mesh<UserMesh>::halfedge_descriptor>
+sides_of_split(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  std::vector<typename Working_mesh<UserMesh>::halfedge_descriptor> result;
+  for(const auto sibling : mesh.siblings(h))
+    for(const auto side : {sibling, opposite(sibling, mesh.tmesh())})
+      if(!mesh.is_border_or_outside(side))
+        result.push_back(side);
+  return result;
+}
+
+template <typename UserMesh>
+bool is_split_topologically_legal(const Working_mesh<UserMesh>& mesh,
+                                  const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  const auto& tm = mesh.tmesh();
+  if(mesh.is_protected(h) || mesh.is_full())
+    return false;
+  if(!mesh.has_copies(source(h, tm)) && !mesh.has_copies(target(h, tm)))
+    return true;
+  // two sheets must not be joined by a second junction
+  std::vector<int> opposite_vertices;
+  for(const auto side : sides_of_split(mesh, h))
+    opposite_vertices.push_back(mesh.index(target(next(side, tm), tm)));
+  std::sort(opposite_vertices.begin(), opposite_vertices.end());
+  return std::adjacent_find(opposite_vertices.begin(), opposite_vertices.end()) == opposite_vertices.end();
+}
+
 // May the edge be split at the site? None of the triangles it makes may be turned over, and none
 // may be thinner than halving a triangle explains.
 template <typename UserMesh>
 bool is_split_legal(const Working_mesh<UserMesh>& mesh,
                     const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
 {
-  if(mesh.is_protected(h) || mesh.is_full())
+  if(!is_split_topologically_legal(mesh, h))
     return false;
   // the two halves of a good triangle have two thirds of its quality or more
   constexpr double share_of_half = 0.4;
+  const auto& tm = mesh.tmesh();
   const Reference& reference = mesh.reference();
   Worth before, after;
-  for(const auto side : {h, opposite(h, mesh.tmesh())})
+  for(const auto side : sides_of_split(mesh, h))
   {
-    if(mesh.is_border_or_outside(side))
-      continue;
     before.add(face_worth(mesh, side));
-    const Site& opposite_site = mesh.site(target(next(side, mesh.tmesh()), mesh.tmesh()));
-    after.add(worth(reference, mesh.site(source(side, mesh.tmesh())), site, opposite_site, mesh.hint(side)));
-    after.add(worth(reference, site, mesh.site(target(side, mesh.tmesh())), opposite_site, mesh.hint(side)));
+    const Site& opposite_site = mesh.site(target(next(side, tm), tm));
+    after.add(worth(reference, mesh.site(source(side, tm)), site, opposite_site, mesh.hint(side)));
+    after.add(worth(reference, site, mesh.site(target(side, tm)), opposite_site, mesh.hint(side)));
   }
   return is_score_acceptable(after.score, share_of_half * before.score, score_floor);
 }
 
-// Splits the edges that are longer than `bound` times their size, longest first; edges that are
-// still too long after that are met again in the next round. Lengths halve, so the rounds end.
+// Splits the edges that are longer than `bound` times their size, or too far from their feature curve, longest
+// first; edges that are still too long after that are met again in the next round. Lengths halve, so the
+// rounds end.
 template <typename UserMesh>
 std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound)
 {
@@ -68,7 +100,7 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound)
   {
     const std::size_t before_round = mesh.counts().splits;
     const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h, const double length)
-                                     { return length > bound && !mesh.is_protected(h); });
+                                     { return (length > bound || !is_faithful(mesh, h)) && !mesh.is_protected(h); });
     for(const auto& candidate : queue)
     {
       if(mesh.is_stopped() || mesh.is_full())

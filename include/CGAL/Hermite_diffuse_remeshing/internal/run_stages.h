@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_RUN_STAGES_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_RUN_STAGES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+struct Stage_options
+{
+  Size_options sizes;
+  std::size_t maximum_number_of_faces;
+  int maximum_number_of_iterations;
+};
+
+template <typename TriangleMesh>
+void describe_preparation(const Input_model& model, const Size_map& sizes, const std::vector<char>& is_remeshed,
+                          Remeshing_report<TriangleMesh>& report)
+{
+  report.number_of_corners = std::count_if(model.vertex_classes.begin(), model.vertex_classes.end(), is_corner);
+  report.number_of_feature_edges = std::count_if(model.edge_classes.begin(), model.edge_classes.end(), is_feature);
+  report.number_of_curves = model.curves.curves.size();
+  report.size_scale = sizes.scale();
+  report.predicted_number_of_faces = sizes.number_of_faces([&](const int f) { return is_remeshed[f] != 0; })
+                                   + double(std::count(is_remeshed.begin(), is_remeshed.end(), false));
+}
+
+// The whole method, in the order of the paper: the input is classified and fitted, sizes follow from the
+// curvature, then the mesh is adapted to them, improved, and measured against the fit.
+// `make_model()` returns the model; `begin_changes()` is called before the first change of the mesh, whose faces are
+// those of the reference from then on; `write_result(working_mesh, deviations)` at the end.
+template <typename User, typename MakeModel, typename BeginChanges, typename WriteResult>
+void run_stages(const User& user, const std::vector<typename Working_mesh<User>::face_descriptor>& face_descriptors,
+                const Side_marks& marks, const std::vector<char>& is_remeshed, const Stage_options& options,
+                const MakeModel& make_model, const BeginChanges& begin_changes, const WriteResult& write_result,
+                Remeshing_report<typename User::TriangleMesh>& report)
+{
+  auto& watched = user.visitor;
+  std::unique_ptr<Input_model> model;
+  std::unique_ptr<Size_map> sizes;
+  const bool is_prepared =
+    watched.stage("model", [&] { model = make_model(); })
+    && watched.stage("size map", [&]
+       { sizes = make_size_map(*model, options.sizes, marks, options.maximum_number_of_faces,
+                               [&](const int f) { return is_remeshed[f] != 0; }, watched.progress_of_stage()); });
+  if(!is_prepared)
+  {
+    report.stop_reason = watched.stop_reason();
+    return;
+  }
+  describe_preparation(*model, *sizes, is_remeshed, report);
+
+  begin_changes();
+  const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves, model->surface,
+                            model->locator, *sizes};
+  Working_mesh<User> mesh(user, reference, face_descriptors, is_remeshed,
+                          [&](const int f, const int side) { return marks[f][side] == MARKED_PROTECTED; },
+                          options.maximum_number_of_faces);
+  Remesher<User> remesher(mesh, options.maximum_number_of_iterations);
+  Deviations<User> deviations;
+  watched.stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
+  if(!watched.is_stopped())
+    watched.stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
+  if(!watched.is_stopped())
+    report.is_deviation_measured = watched.stage("deviation", [&]
+    { deviations = enforce_deviation(mesh, *sizes, remesher, options.sizes.maximum_deviation, report.stop_reason); });
+  if(watched.is_stopped())
+    report.stop_reason = watched.stop_reason();
+
+  fill_report(mesh, deviations, report);
+  report.number_of_iterations = remesher.number_of_iterations();
+  write_result(mesh, deviations.faces);
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_RUN_STAGES_H

@@ -1,0 +1,306 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_REMESH_TRIANGLE_SOUP_H
+#define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_REMESH_TRIANGLE_SOUP_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
+#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Supervisor.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/run_stages.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/soup_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// What the user says of the edges of a soup. His maps have pairs of indices as keys, the smaller one first.
+template <typename FacePatchMap, typename Pack>
+Side_marks read_soup_marks(const Indexed_triangles& surface, const FacePatchMap& labels, const Pack& pack)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef std::pair<std::size_t, std::size_t> Edge;
+  const auto policies = read_edge_policy_map<Edge>(pack);
+  const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
+                                    Static_boolean_property_map<Edge, false>());
+  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
+  const Edge_table edges(surface);
+  Side_marks result(surface.number_of_faces());
+  for(int e = 0; e < edges.number_of_edges(); ++e)
+  {
+    const Edge edge(edges.vertices(e)[0], edges.vertices(e)[1]);
+    const bool is_between_patches = edges.number_of_sides(e) == 2
+      && get(labels, std::size_t(edges.side(e, 0).face)) != get(labels, std::size_t(edges.side(e, 1).face));
+    for(int i = 0; i < edges.number_of_sides(e); ++i)
+      result[edges.side(e, i).face][edges.side(e, i).side] =
+        make_edge_mark(get(policies, edge), get(ecm, edge), protect, is_between_patches);
+  }
+  return result;
+}
+
+// Writes the mesh back as a soup, the copies of a vertex as one, and what is known of vertices and triangles, which
+// the report names by their indices from then on.
+template <typename Mesh, typename Deviation, typename LabelOfFace, typename FacePatchMap, typename Pack,
+          typename PointRange, typename TriangleRange>
+void write_soup(const Mesh& mesh, const std::vector<Deviation>& deviations, const std::vector<char>& is_turned,
+                const LabelOfFace& label_of_face, const FacePatchMap& labels, const Pack& pack,
+                PointRange& points, TriangleRange& triangles, Remeshing_report<typename Mesh::TriangleMesh>& report)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto location_map = choose_parameter(get_parameter(pack, internal_np::vertex_location_map),
+    Constant_property_map<std::size_t, std::pair<std::size_t, Barycentric> >());
+  const auto size_map = choose_parameter(get_parameter(pack, internal_np::vertex_size_map),
+    Constant_property_map<std::size_t, double>());
+  const auto origin_map = choose_parameter(get_parameter(pack, internal_np::face_origin_map),
+    Constant_property_map<std::size_t, std::size_t>());
+  const auto deviation_map = choose_parameter(get_parameter(pack, internal_np::face_deviation_map),
+    Constant_property_map<std::size_t, double>());
+
+  PointRange new_points;
+  TriangleRange new_triangles;
+  const auto& tm = mesh.tmesh();
+  std::vector<std::size_t> rank(mesh.number_of_vertex_slots(), std::size_t(-1));
+  for(const auto v : vertices(tm))
+  {
+    if(rank[mesh.index(v)] != std::size_t(-1))
+      continue;
+    const std::size_t i = rank[mesh.index(v)] = new_points.size();
+    new_points.push_back(tm.point(v));
+    Location location = mesh.site(v).location;
+    if(is_turned[location.face])
+      std::swap(location.coordinates[1], location.coordinates[2]);
+    put(location_map, i, std::make_pair(std::size_t(location.face), location.coordinates));
+    put(size_map, i, mesh.size(v));
+  }
+  std::vector<std::size_t> rank_of_face(tm.num_faces());
+  for(const auto f : faces(tm))
+  {
+    const std::size_t i = rank_of_face[std::size_t(f)] = new_triangles.size();
+    const auto h = halfedge(f, tm);
+    const std::array<std::size_t, 3> corners = {{rank[mesh.index(source(h, tm))], rank[mesh.index(target(h, tm))],
+                                                 rank[mesh.index(target(next(h, tm), tm))]}};
+    typename TriangleRange::value_type triangle{corners[0], corners[1], corners[2]};
+    new_triangles.push_back(triangle);
+    put(labels, i, get(label_of_face, f));
+    put(origin_map, i, std::size_t(mesh.hint(f)));
+  }
+  for(const Deviation& entry : deviations)
+    put(deviation_map, rank_of_face[std::size_t(entry.face)], entry.deviation);
+  for(auto& f : report.faces_above_maximum_deviation)
+    f = std::decay_t<decltype(f)>(static_cast<typename Mesh::TriangleMesh::size_type>(rank_of_face[std::size_t(f)]));
+  report.number_of_vertices = new_points.size();
+  points = std::move(new_points);
+  triangles = std::move(new_triangles);
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+
+namespace Polygon_mesh_processing {
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * remeshes a soup of triangles, which may be non-manifold: edges with any number of triangles, vertices where sheets
+ * touch, open and closed parts, triangles that are not coherently oriented, sheets that cannot be oriented. Apart
+ * from that it does the same as `hermite_diffuse_remesh()`.
+ *
+ * The soup is cut into sheets along its non-manifold edges. These edges, the junctions, are feature edges: they form
+ * curves between corners, each with one spline and one sampling, which all its sheets share. They are split,
+ * collapsed and moved like the edges and vertices of other curves, in all the sheets at once, so that the result
+ * conforms: along a junction as many triangles meet at every edge as in the input, and nowhere else do more than two.
+ * The size is one function on the whole surface, and its gradation runs across the junctions.
+ *
+ * Triangles are joined by the indices of their vertices, not by their coordinates.
+ * `CGAL::Polygon_mesh_processing::repair_polygon_soup()` merges points that coincide. Those that no triangle uses
+ * are not in the result. In each sheet the orientation of most of its triangles is given to all.
+ *
+ * @tparam PointRange a model of `RandomAccessContainer` and `BackInsertionSequence` whose value type is the point type
+ * @tparam TriangleRange a model of `BackInsertionSequence` whose value type is a model of
+ *         `RandomAccessContainer` of `std::size_t` that can be constructed from a list of three indices:
+ *         `std::vector<std::size_t>` or `std::array<std::size_t, 3>`
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * @param points the points, which are replaced
+ * @param triangles the triangles as indices into `points`, which are replaced
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{approximation_error, sagitta, elements_per_circle, angle_per_element, sagitta_over_length,
+ *     maximum_deviation, minimum_edge_length, maximum_edge_length, size_field, gradation, sharp_dihedral_angle,
+ *     corner_angle, apex_angular_defect, polynomial_degree, hermite_weight, normal_estimation, surface_model,
+ *     number_of_iterations, maximum_number_of_faces, maximum_running_time, protect_constraints}
+ *     \cgalParamDescription{as for `hermite_diffuse_remesh()`; a size field that asks for a face gets the index of a
+ *       triangle}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{face_patch_map}
+ *     \cgalParamDescription{labels of the triangles, for instance the two materials at its sides. Edges between two
+ *       triangles of different labels are features. It is read for the triangles of the input and written for those of the
+ *       result, which may be more.}
+ *     \cgalParamType{a model of `ReadWritePropertyMap` with key type `std::size_t`, for instance
+ *       `boost::associative_property_map<std::map<std::size_t, int> >`, and a value type that can be compared}
+ *     \cgalParamDefault{one label}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_is_constrained_map}
+ *     \cgalParamDescription{edges that are features whatever their angle; not kept up to date}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `std::pair<std::size_t, std::size_t>`, the indices
+ *       of the ends with the smaller one first, and value type `bool`}
+ *     \cgalParamDefault{no edge}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_policy_map}
+ *     \cgalParamDescription{a decision on each edge, which goes before the rules of the detection; not kept up to
+ *       date. A junction cannot be free.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with the same key type and value type
+ *       `CGAL::Hermite_diffuse_remeshing::Edge_policy`}
+ *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::DETECTED_EDGE` for all edges}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_is_constrained_map}
+ *     \cgalParamDescription{points that are corners}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `std::size_t` and value type `bool`}
+ *     \cgalParamDefault{no point}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{visitor}
+ *     \cgalParamDescription{is told about stages and operations and may stop the remeshing. The elements that it
+ *       is given are those of the mesh of the sheets; an operation at a junction is reported once per sheet.}
+ *     \cgalParamType{a model of `HermiteDiffuseRemeshingVisitor` for `CGAL::Surface_mesh<Point>`, by value or
+ *       by `std::ref`}
+ *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<CGAL::Surface_mesh<Point> >`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_location_map, vertex_size_map, face_origin_map, face_deviation_map}
+ *     \cgalParamDescription{output: as for `hermite_diffuse_remesh()`, with indices into the new points and triangles as
+ *       keys. A location is the index of a triangle of the input and the coordinates with respect to its corners.}
+ *     \cgalParamType{models of `WritablePropertyMap` with key type `std::size_t`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a model of `HermiteDiffuseRemeshingTraits`}
+ *     \cgalParamDefault{a \cgal kernel deduced from the point type, using `CGAL::Kernel_traits`}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * @return what was done, and which promises were kept. `CGAL::SM_Face_index(i)` in it stands for triangle `i` of the
+ *         result.
+ *
+ * \throw std::invalid_argument if there is no triangle, if a polygon is not a triangle or names a vertex twice or one
+ *        that is not there, if a coordinate is not finite, or if a parameter is out of its range. The message
+ *        names it, and the soup is unchanged.
+ *
+ * @sa `hermite_diffuse_remesh()`
+ */
+template <typename PointRange, typename TriangleRange,
+          typename NamedParameters = parameters::Default_named_parameters>
+Hermite_diffuse_remeshing::Remeshing_report<Surface_mesh<typename PointRange::value_type> >
+hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangles,
+                                     const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  using namespace CGAL::Hermite_diffuse_remeshing;
+  using namespace CGAL::Hermite_diffuse_remeshing::internal;
+
+  const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  typedef typename PointRange::value_type Point;
+  typedef Surface_mesh<Point> Mesh;
+  typedef typename boost::graph_traits<Mesh>::edge_descriptor edge_descriptor;
+  typedef typename boost::graph_traits<Mesh>::face_descriptor face_descriptor;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, Pack,
+    typename Kernel_traits<Point>::Kernel>::type GT;
+  typedef Default_remeshing_visitor<Mesh> Default_visitor;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
+    Visitor_reference;
+  typedef Supervisor<Mesh, std::remove_reference_t<Visitor_reference> > Watched_visitor;
+  static_assert(std::is_floating_point<typename GT::FT>::value,
+                "hermite_diffuse_remesh_triangle_soup() needs a kernel with floating point coordinates");
+
+  // everything is read and checked before the first change
+  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
+  const auto labels = choose_parameter(get_parameter(pack, internal_np::face_patch),
+                                       Constant_property_map<std::size_t, int>());
+  const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
+                                    Static_boolean_property_map<std::size_t, false>());
+  Default_visitor default_visitor;
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
+  const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
+  check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
+  const double maximum_running_time =
+    choose_parameter(get_parameter(pack, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
+  check_positive_parameter("maximum_running_time", maximum_running_time);
+  const Feature_options feature_options = read_feature_options(pack);
+  const Model_options model_options = read_model_options(pack);
+  Indexed_triangles surface = read_soup(points, triangles, gt);
+  std::vector<std::size_t> triangle_indices(surface.number_of_faces());
+  std::iota(triangle_indices.begin(), triangle_indices.end(), std::size_t(0));
+  const Size_options size_options = read_size_options(pack, gt, surface, triangle_indices);
+
+  const std::vector<char> is_turned = orient_sheets(surface);
+  const Side_marks marks = read_soup_marks(surface, labels, pack);
+  Mesh mesh;
+  make_soup_mesh(surface, gt, mesh);
+  const std::vector<face_descriptor> face_descriptors(faces(mesh).begin(), faces(mesh).end());
+  auto label_of_face = mesh.template add_property_map<face_descriptor,
+    typename boost::property_traits<std::decay_t<decltype(labels)> >::value_type>("f:label").first;
+  for(const face_descriptor f : face_descriptors)
+    put(label_of_face, f, get(labels, std::size_t(f)));
+
+  Remeshing_report<Mesh> report;
+  report.number_of_input_faces = report.number_of_faces = surface.triangles.size();
+  report.number_of_vertices = points.size();
+  const Quality_statistics quality = measure_quality(surface, [](int) { return true; });
+  report.smallest_input_quality = report.smallest_quality = quality.smallest;
+  report.mean_input_quality = report.mean_quality = quality.mean;
+  report.maximum_deviation = size_options.maximum_deviation;
+  Watched_visitor watched(visitor, report, maximum_running_time);
+
+  typedef typename boost::property_map<Mesh, CGAL::vertex_point_t>::type VPM;
+  typedef Static_boolean_property_map<edge_descriptor, false> ECM;
+  const User_mesh<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT, Watched_visitor>
+    user{mesh, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt, watched};
+  run_stages(user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
+             Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations)},
+             [&]
+             {
+               return std::unique_ptr<Input_model>(
+                 new Input_model(surface, feature_options, model_options,
+                                 [&](const int f, const int side) { return marks[f][side]; },
+                                 [&](const int v) -> bool { return get(vcm, std::size_t(v)); },
+                                 std::vector<Vector>(), watched.progress_of_stage()));
+             },
+             [] {},
+             [&](const auto& working_mesh, const auto& deviations)
+             {
+               write_soup(working_mesh, deviations, is_turned, label_of_face, labels, pack, points, triangles, report);
+             },
+             report);
+  return report;
+}
+
+} // namespace Polygon_mesh_processing
+} // namespace CGAL
+
+#endif // CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_REMESH_TRIANGLE_SOUP_H

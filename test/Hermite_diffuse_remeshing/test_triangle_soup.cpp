@@ -1,0 +1,216 @@
+#include "soups.h"
+#include "test_helpers.h"
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh_triangle_soup.h>
+
+#include <map>
+
+using namespace HDR;
+using namespace HDR::internal;
+
+typedef std::array<std::size_t, 3> Triangle;
+
+struct Soup
+{
+  std::vector<Point_3> points;
+  std::vector<Triangle> triangles;
+  std::map<std::size_t, int> labels;
+};
+
+Soup make_soup(const soups::Soup& given)
+{
+  Soup soup;
+  for(const soups::Point& p : given.points)
+    soup.points.push_back(Point_3(p[0], p[1], p[2]));
+  soup.triangles = given.triangles;
+  for(std::size_t i = 0; i < given.labels.size(); ++i)
+    soup.labels[i] = given.labels[i];
+  return soup;
+}
+
+Indexed_triangles indexed(const Soup& soup)
+{
+  return read_soup(soup.points, soup.triangles, Kernel());
+}
+
+// the edges with other than two faces
+struct Special_edges
+{
+  std::map<int, std::vector<std::array<Vector, 2> > > of_valence;
+
+  explicit Special_edges(const Indexed_triangles& surface)
+  {
+    const Edge_table edges(surface);
+    for(int e = 0; e < edges.number_of_edges(); ++e)
+      if(edges.number_of_sides(e) != 2)
+        of_valence[edges.number_of_sides(e)].push_back(
+          {{surface.points[edges.vertices(e)[0]], surface.points[edges.vertices(e)[1]]}});
+  }
+
+  double distance(const int valence, const Vector& p) const
+  {
+    double best = std::numeric_limits<double>::infinity();
+    for(const std::array<Vector, 2>& edge : of_valence.at(valence))
+    {
+      const Vector d = edge[1] - edge[0];
+      const double u = (std::max)(0., (std::min)(1., (p - edge[0]).dot(d) / d.squaredNorm()));
+      best = (std::min)(best, (p - edge[0] - u * d).norm());
+    }
+    return best;
+  }
+
+  double length(const int valence) const
+  {
+    double sum = 0.;
+    for(const std::array<Vector, 2>& edge : of_valence.at(valence))
+      sum += (edge[1] - edge[0]).norm();
+    return sum;
+  }
+};
+
+long euler_characteristic(const Indexed_triangles& surface)
+{
+  return long(surface.number_of_vertices()) - Edge_table(surface).number_of_edges() + surface.number_of_faces();
+}
+
+double mean_edge_length(const Indexed_triangles& surface)
+{
+  const Edge_table edges(surface);
+  double sum = 0.;
+  for(int e = 0; e < edges.number_of_edges(); ++e)
+    sum += (surface.points[edges.vertices(e)[1]] - surface.points[edges.vertices(e)[0]]).norm();
+  return sum / edges.number_of_edges();
+}
+
+// area by label
+std::map<int, double> areas(const Indexed_triangles& surface, const std::map<std::size_t, int>& labels)
+{
+  std::map<int, double> result;
+  for(int f = 0; f < surface.number_of_faces(); ++f)
+    result[labels.at(std::size_t(f))] += surface.area_vector(f).norm() / 2.;
+  return result;
+}
+
+// conforming, along the same junctions and borders, with the labels where they were
+void check(const Soup& input, const Soup& output, const double distance, const std::map<std::size_t, double>& sizes)
+{
+  const Indexed_triangles before = indexed(input), after = indexed(output);
+  assert(euler_characteristic(before) == euler_characteristic(after));
+
+  std::set<std::array<int, 3> > seen;
+  std::vector<char> is_used(after.number_of_vertices(), false);
+  for(std::array<int, 3> triangle : after.triangles)
+  {
+    for(const int v : triangle)
+      is_used[v] = true;
+    std::sort(triangle.begin(), triangle.end());
+    assert(seen.insert(triangle).second);
+  }
+  assert(std::count(is_used.begin(), is_used.end(), false) == 0);
+  assert(std::set<Point_3>(output.points.begin(), output.points.end()).size() == output.points.size());
+
+  const Special_edges old_edges(before), new_edges(after);
+  assert(old_edges.of_valence.size() == new_edges.of_valence.size());
+  for(const auto& entry : old_edges.of_valence)
+  {
+    assert(new_edges.of_valence.count(entry.first) == 1);
+    for(const auto& edge : entry.second)
+      assert(new_edges.distance(entry.first, (edge[0] + edge[1]) / 2.) < distance);
+    for(const auto& edge : new_edges.of_valence.at(entry.first))
+      assert(old_edges.distance(entry.first, (edge[0] + edge[1]) / 2.) < distance);
+  }
+
+  const Edge_table edges(after);
+  for(int e = 0; e < edges.number_of_edges(); ++e)
+    if(edges.number_of_sides(e) > 2)
+    {
+      const std::array<int, 2>& ends = edges.vertices(e);
+      const double relative = 2. * (after.points[ends[1]] - after.points[ends[0]]).norm()
+                            / (sizes.at(std::size_t(ends[0])) + sizes.at(std::size_t(ends[1])));
+      assert(relative > 0.5 && relative < 2.);
+    }
+
+  // coherently oriented but for what cannot be
+  const auto incoherent = [](const Indexed_triangles& surface)
+  {
+    const Edge_table edges(surface);
+    const std::vector<Edge_class> classes =
+      classify_edges(surface, edges, 4., [](int, int) { return MARKED_FREE; });
+    int number = 0;
+    for(int e = 0; e < edges.number_of_edges(); ++e)
+      number += edges.number_of_sides(e) == 2 && classes[e] == NON_MANIFOLD_EDGE;
+    return number;
+  };
+  Indexed_triangles oriented = before;
+  orient_sheets(oriented);
+  assert((incoherent(oriented) == 0) == (incoherent(after) == 0));
+}
+
+void test(const std::string& name, const Soup& input, const std::set<int>& valences)
+{
+  const Indexed_triangles before = indexed(input);
+  for(const auto& entry : Special_edges(before).of_valence)
+    assert(valences.count(entry.first) == 1);
+  assert(Special_edges(before).of_valence.size() == valences.size());
+  const double length = mean_edge_length(before);
+  for(const double factor : {0.25, 4.})
+  {
+    Soup output = input;
+    std::map<std::size_t, double> sizes;
+    const auto report = PMP::hermite_diffuse_remesh_triangle_soup(output.points, output.triangles,
+      params::approximation_error(0.).maximum_edge_length(factor * length).minimum_edge_length(factor * length / 100.)
+        .face_patch_map(boost::make_assoc_property_map(output.labels))
+        .vertex_size_map(boost::make_assoc_property_map(sizes)));
+    std::cout << name << " x " << factor << ": " << input.triangles.size() << " -> " << output.triangles.size()
+              << " triangles, quality " << report.smallest_quality << ", " << report.mean_quality << ", "
+              << report.seconds << " s" << std::endl;
+    assert(report.number_of_faces == output.triangles.size() && report.number_of_vertices == output.points.size());
+    assert(report.smallest_quality >= 0.35);
+    assert((output.triangles.size() > input.triangles.size()) == (factor < 1.));
+    check(input, output, factor < 1. ? 0.1 * length : 1.5 * length, sizes);
+    for(std::size_t i = output.triangles.size(); i < input.triangles.size(); ++i)
+      output.labels.erase(i);
+    const std::map<int, double> old_areas = areas(before, input.labels), new_areas = areas(indexed(output), output.labels);
+    assert(old_areas.size() == new_areas.size());
+    for(const auto& entry : old_areas)
+      assert(std::abs(new_areas.at(entry.first) / entry.second - 1.) < (factor < 1. ? 0.02 : 0.12));
+  }
+}
+
+// one soup of several files, each with a label of its own; points that are equal are joined
+Soup read_soups(char** first, char** last)
+{
+  soups::Soup soup;
+  for(char** file = first; file != last; ++file)
+  {
+    std::vector<Point_3> points;
+    std::vector<std::vector<std::size_t> > triangles;
+    const bool is_read = CGAL::IO::read_polygon_soup(*file, points, triangles);
+    assert(is_read);
+    std::vector<std::size_t> index;
+    for(const Point_3& p : points)
+      index.push_back(soup.point({{p.x(), p.y(), p.z()}}));
+    for(const std::vector<std::size_t>& t : triangles)
+      soup.triangle(index[t[0]], index[t[1]], index[t[2]], int(file - first));
+  }
+  return make_soup(soup);
+}
+
+int main(int argc, char** argv)
+{
+  // a complex may be given by its files, as CGAL's polyhedral_complex_of_spheres: three sheets meet at a junction
+  if(argc > 1)
+  {
+    test("files", read_soups(argv + 1, argv + argc), {3});
+    return EXIT_SUCCESS;
+  }
+  test("three sheets", make_soup(soups::three_sheets(12)), {1, 3});
+  test("T of plates", make_soup(soups::t_of_plates(8)), {1, 3});
+  test("two cubes", make_soup(soups::two_cubes(8)), {3});
+  test("two cones", make_soup(soups::two_cones(7)), {});
+  test("Moebius strip", make_soup(soups::moebius_strip(6)), {1});
+  test("three balls", make_soup(soups::three_balls(5)), {3});
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
