@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -83,17 +84,35 @@ struct Reference
     double distance;
   };
 
-  // distance of p to the surface near a face of the reference
+  // Distance of p to the surface near a face of the reference. The locator knows the fit without the
+  // displacement, so it is asked for the foot of p minus the displacement at the last foot. Each foot
+  // gives a distance, of which the smallest counts: convergence is fast where the displacement is small
+  // against the face, and is not needed elsewhere.
   Nearest nearest(const Vector& p, const int hint, const double tolerance) const
   {
-    const Reference_locator::Projection projection = locator.project(p, hint, tolerance);
-    const Vector gap = p - projection.quadric.point();
-    const Vector normal = projection.quadric.normal();
-    const Vector displaced = gap - feature_displacement(projection.location);
-    // what is left along the surface when Newton's method has converged is no distance
-    if((gap - gap.dot(normal) * normal).norm() <= 2. * tolerance * projection.quadric.size)
-      return {projection.location, std::abs(displaced.dot(normal))};
-    return {projection.location, displaced.norm()};
+    constexpr int maximum_number_of_steps = 10;
+    Nearest best{Location(), std::numeric_limits<double>::infinity()};
+    Vector displacement = Vector::Zero();
+    int face = hint;
+    for(int step = 0; step < maximum_number_of_steps; ++step)
+    {
+      const Reference_locator::Projection projection = locator.project(p - displacement, face, tolerance);
+      const Vector normal = projection.quadric.normal();
+      Vector gap = p - displacement - projection.quadric.point();
+      // what is left along the surface when Newton's method has converged is no distance
+      const Vector residual = gap - gap.dot(normal) * normal;
+      if(residual.norm() <= 2. * tolerance * projection.quadric.size)
+        gap -= residual;
+      const Vector change = feature_displacement(projection.location) - displacement;
+      const double distance = (gap - change).norm();
+      if(distance < best.distance)
+        best = {projection.location, distance};
+      if(change.norm() <= tolerance * distance)
+        break;
+      displacement += change;
+      face = projection.location.face;
+    }
+    return best;
   }
 
   // on the model, above the point of the facets that is closest to p near a face of the reference
