@@ -9,8 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_ENFORCE_DEVIATION_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_ENFORCE_DEVIATION_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_meter.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/measure.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,31 +65,36 @@ bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviation
   return !caps.empty();
 }
 
-// Lowers sizes and adapts again until no face deviates too much, or until it does not help: the number of
-// the faces that do must fall to a new low at least every second time. Where it does not, the bound
-// cannot be met (protected edges, the smallest size, creases that are noise), and finer faces would
-// only be more faces.
+// Lowers sizes where faces deviate too much, and adapts and measures again what that changes, until no face
+// deviates too much, or until it does not help: the number of the faces that do must fall to a new low
+// at least every second time. Where it does not, the bound cannot be met (protected edges, the
+// smallest size), and finer faces would only be more faces.
 template <typename UserMesh>
 Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& sizes, Remesher<UserMesh>& remesher,
                                        const double maximum_deviation, Stop_reason& stop_reason)
 {
-  constexpr int maximum_number_of_rounds = 10, patience = 2;
-  Deviations<UserMesh> deviations = measure_deviations(mesh);
+  constexpr int maximum_number_of_rounds = 20, patience = 2;
+  Deviation_meter<UserMesh> meter(mesh);
+  meter.measure();
   std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
-  int rounds_without_gain = 0;
-  for(int round = 0; round < maximum_number_of_rounds; ++round)
+  int rounds_without_gain = 0, round = 0;
+  for(; round < maximum_number_of_rounds; ++round)
   {
+    const Deviations<UserMesh>& deviations = meter.deviations();
     const std::size_t number = std::count_if(deviations.faces.begin(), deviations.faces.end(),
                                              [&](const auto& entry) { return entry.deviation > maximum_deviation; });
     rounds_without_gain = number < fewest ? 0 : rounds_without_gain + 1;
     fewest = (std::min)(fewest, number);
-    if(deviations.largest <= maximum_deviation || rounds_without_gain == patience
-       || mesh.is_stopped() || mesh.is_full() || !refine_sizes(mesh, sizes, deviations, maximum_deviation))
+    const std::size_t since = mesh.number_of_changes();
+    if(number == 0 || rounds_without_gain == patience || mesh.is_stopped() || mesh.is_full()
+       || !refine_sizes(mesh, sizes, deviations, maximum_deviation))
       break;
-    stop_reason = remesher.optimise(remesher.adapt_again());
-    deviations = measure_deviations(mesh);
+    stop_reason = remesher.optimise(remesher.adapt_again(since), since);
+    meter.update(since);
   }
-  return deviations;
+  if(round > 0)
+    meter.measure();
+  return meter.deviations();
 }
 
 } // namespace internal

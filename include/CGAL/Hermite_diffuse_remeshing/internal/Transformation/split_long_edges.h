@@ -59,9 +59,10 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
 }
 
 // Splits the edges that are longer than `bound` times their size, longest first; edges that are
-// still too long after that are met again in the next round. Lengths halve, so the rounds end.
+// still too long after that are met again in the next round. Lengths halve, so the rounds end. Only edges
+// with changes around them are looked at.
 template <typename UserMesh>
-std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound)
+std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   // halves the longest edge from the model's diameter to its rounding
@@ -71,7 +72,7 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound)
   {
     const std::size_t before_round = mesh.counts().splits;
     const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h, const double length)
-                                     { return length > bound && !mesh.is_protected(h); });
+                                     { return length > bound && mesh.has_changed(h, since) && !mesh.is_protected(h); });
     for(const auto& candidate : queue)
     {
       if(mesh.is_stopped() || mesh.is_full())
