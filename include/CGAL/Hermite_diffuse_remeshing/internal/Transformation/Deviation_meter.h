@@ -66,6 +66,7 @@ class Deviation_meter
   };
 
   const Mesh& m_mesh;
+  double m_bound;
   Face_index_map m_index;               // in `m_deviations.faces`; -1 for a face that is not remeshed
   std::vector<Target> m_targets;
   Deviations<UserMesh> m_deviations;
@@ -77,8 +78,9 @@ class Deviation_meter
   static constexpr double tolerance = 1e-3;
 
 public:
-  explicit Deviation_meter(const Mesh& mesh)
-    : m_mesh(mesh), m_index(make_index_map())
+  // `bound`: distances below it need no second look
+  Deviation_meter(const Mesh& mesh, const double bound)
+    : m_mesh(mesh), m_bound(bound), m_index(make_index_map())
   {
     collect_targets();
   }
@@ -206,9 +208,21 @@ private:
       }
   }
 
-  void add_projection(const Vector& p, const int hint, const std::initializer_list<int> at_faces)
+  // Newton's method starts from the facet's point that is closest. Where the surface is steep over its
+  // facets it may end at another part of the surface: before a point counts as too far away, the
+  // locations of the vertices around it are tried.
+  void add_projection(const Vector& p, const halfedge_descriptor h, const std::initializer_list<int> at_faces)
   {
-    const Reference::Nearest nearest = m_mesh.reference().nearest(p, hint, tolerance);
+    const Reference& reference = m_mesh.reference();
+    const TriangleMesh& tm = m_mesh.tmesh();
+    Reference::Nearest nearest = reference.nearest(p, reference.locator.walk(p, m_mesh.hint(h)), tolerance);
+    if(nearest.distance > m_bound)
+      for(const auto v : {source(h, tm), target(h, tm), target(next(h, tm), tm)})
+      {
+        const Reference::Nearest other = reference.nearest(p, m_mesh.data(v).site.location, tolerance);
+        if(other.distance < nearest.distance)
+          nearest = other;
+      }
     add(p, nearest.distance, nearest.location, at_faces);
   }
 
@@ -228,7 +242,7 @@ private:
       const halfedge_descriptor h = halfedge(m_deviations.faces[i].face, tm);
       add_projection((m_mesh.point(source(h, tm)) + m_mesh.point(target(h, tm))
                       + m_mesh.point(target(next(h, tm), tm))) / 3.,
-                     m_mesh.hint(h), {static_cast<int>(i)});
+                     h, {static_cast<int>(i)});
     }
   }
 
@@ -248,7 +262,7 @@ private:
       const int curve = m_mesh.curve(h);
       if(curve == -1)
       {
-        add_projection(p, m_mesh.hint(h), {f, g});
+        add_projection(p, h, {f, g});
         continue;
       }
       const Site site = m_mesh.reference().curve_site(curve, (m_mesh.parameter(s, curve)
@@ -265,8 +279,11 @@ private:
       if(m_mesh.index(v) == -1)
         continue;
       const halfedge_descriptor h = first_remeshed_halfedge(m_mesh, v);
-      if(h != Mesh::Graph_traits::null_halfedge() && is_new(index_at(h)))
-        add_projection(m_mesh.point(v), m_mesh.data(v).site.location.face, {index_at(h)});
+      if(h == Mesh::Graph_traits::null_halfedge() || !is_new(index_at(h)))
+        continue;
+      const Site& site = m_mesh.data(v).site;
+      const Reference::Nearest nearest = m_mesh.reference().nearest(site.point, site.location, tolerance);
+      add(site.point, nearest.distance, nearest.location, {index_at(h)});
     }
   }
 

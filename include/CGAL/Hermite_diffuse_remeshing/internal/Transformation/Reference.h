@@ -84,33 +84,33 @@ struct Reference
     double distance;
   };
 
-  // Distance of p to the surface near a face of the reference. The locator knows the fit without the
-  // displacement, so it is asked for the foot of p minus the displacement at the last foot. Each foot
-  // gives a distance, of which the smallest counts: convergence is fast where the displacement is small
-  // against the face, and is not needed elsewhere.
-  Nearest nearest(const Vector& p, const int hint, const double tolerance) const
+  // Distance of p to the surface near a location. The locator knows the fit without the displacement, so
+  // it is asked for the foot of p minus the displacement at the last foot. Each foot gives a distance,
+  // of which the smallest counts: this converges fast where the displacement is small against the face.
+  Nearest nearest(const Vector& p, const Location& start, const double tolerance) const
   {
     constexpr int maximum_number_of_steps = 10;
-    Nearest best{Location(), std::numeric_limits<double>::infinity()};
-    Vector displacement = Vector::Zero();
-    int face = hint;
+    Nearest best{start, std::numeric_limits<double>::infinity()};
+    Vector displacement = feature_displacement(start);
+    Location location = start;
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
-      const Reference_locator::Projection projection = locator.project(p - displacement, face, tolerance);
+      const Reference_locator::Projection projection =
+        locator.project_from(p - displacement, location, tolerance);
       const Vector normal = projection.quadric.normal();
       Vector gap = p - displacement - projection.quadric.point();
       // what is left along the surface when Newton's method has converged is no distance
       const Vector residual = gap - gap.dot(normal) * normal;
       if(residual.norm() <= 2. * tolerance * projection.quadric.size)
         gap -= residual;
-      const Vector change = feature_displacement(projection.location) - displacement;
+      location = projection.location;
+      const Vector change = feature_displacement(location) - displacement;
       const double distance = (gap - change).norm();
       if(distance < best.distance)
-        best = {projection.location, distance};
+        best = {location, distance};
       if(change.norm() <= tolerance * distance)
         break;
       displacement += change;
-      face = projection.location.face;
     }
     return best;
   }

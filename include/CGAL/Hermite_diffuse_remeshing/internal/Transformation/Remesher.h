@@ -41,6 +41,8 @@ class Remesher
   static constexpr int number_of_tight_passes = 3;
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
   static constexpr double negligible_part = 5e-4;
+  // of the faces that have changed, where only a part of the mesh is adapted again
+  static constexpr double negligible_part_of_changed = 0.01;
   // triangles with a better score are not worth a search
   static constexpr double satisfying_score = 0.7;
   // triangles with a worse one may be removed, whatever the size
@@ -86,10 +88,14 @@ private:
     return run(since);
   }
 
-  std::size_t number_of_changed_faces(const std::size_t since) const
+  bool is_negligible(const std::size_t changes, const std::size_t since) const
   {
-    return std::count_if(faces(m_mesh.tmesh()).begin(), faces(m_mesh.tmesh()).end(),
-                         [&](const auto f) { return m_mesh.is_remeshed(f) && m_mesh.has_changed(f, since); });
+    if(changes <= negligible_part * m_mesh.number_of_faces())
+      return true;
+    return since > 0
+        && changes <= negligible_part_of_changed
+                      * std::count_if(faces(m_mesh.tmesh()).begin(), faces(m_mesh.tmesh()).end(), [&](const auto f)
+                                      { return m_mesh.is_remeshed(f) && m_mesh.has_changed(f, since); });
   }
 
   void update_hints()
@@ -112,7 +118,7 @@ private:
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;
       // a mesh that is full at first may have room after the collapses
-      if(i > 0 && changes <= negligible_part * number_of_changed_faces(since_change))
+      if(i > 0 && is_negligible(changes, since_change))
         return m_mesh.is_full() ? FACE_BUDGET : CONVERGED;
     }
     return m_mesh.is_full() ? FACE_BUDGET : ITERATION_BOUND;
@@ -134,7 +140,7 @@ public:
       m_mesh.report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;
-      if(changes <= negligible_part * number_of_changed_faces(since_change))
+      if(is_negligible(changes, since_change))
         break;
     }
     return reason;

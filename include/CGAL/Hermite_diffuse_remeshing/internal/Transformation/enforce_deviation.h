@@ -73,8 +73,8 @@ template <typename UserMesh>
 Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& sizes, Remesher<UserMesh>& remesher,
                                        const double maximum_deviation, Stop_reason& stop_reason)
 {
-  constexpr int maximum_number_of_rounds = 20, patience = 2;
-  Deviation_meter<UserMesh> meter(mesh);
+  constexpr int maximum_number_of_rounds = 20, patience = 3;
+  Deviation_meter<UserMesh> meter(mesh, maximum_deviation);
   meter.measure();
   std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
   int rounds_without_gain = 0, round = 0;

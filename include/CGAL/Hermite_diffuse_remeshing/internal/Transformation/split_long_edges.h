@@ -55,7 +55,8 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
     after = (std::min)({after, score(reference, a, site.point, c, mesh.hint(side)),
                                score(reference, site.point, b, c, mesh.hint(side))});
   }
-  return is_score_acceptable(after, share_of_half * before, score_floor);
+  return after > least_score ? after >= (std::min)(score_floor, share_of_half * before)
+                             : after > before + score_margin;
 }
 
 // Splits the edges that are longer than `bound` times their size, longest first; edges that are
