@@ -24,10 +24,13 @@ namespace internal {
 struct Site
 {
   Vector point = Vector::Zero();
+  Vector normal = Vector::Zero();       // of the model; zero on curves and at corners, which have several
   Location location;
   double size = 0.;
   int curve = -1;                       // -1: on the surface
   double parameter = 0.;                // on the curve
+
+  bool has_normal() const { return normal != Vector::Zero(); }
 };
 
 // All that is known of the input, frozen: what the working mesh is adapted to.
@@ -120,7 +123,10 @@ struct Reference
   {
     Site site;
     site.location = locator.walk(p, hint);
-    site.point = surface_point(site.location);
+    const Local_quadric quadric = surface.evaluate(site.location);
+    site.point = quadric.point() + feature_displacement(site.location);
+    // blended from the nodes: where a fit is badly conditioned it still points outwards
+    site.normal = quadric.z_axis;
     site.size = sizes(site.location);
     return site;
   }
@@ -137,7 +143,7 @@ struct Reference
     return site;
   }
 
-  // at a vertex of the reference, seen from one of its faces
+  // at a vertex of the reference, seen from one of its faces; without normal
   Site vertex_site(const int face, const int corner) const
   {
     Site site;

@@ -111,7 +111,7 @@ private:
       const double bound = band(i);
       std::size_t changes = split_long_edges(m_mesh, bound, since_change);
       changes += collapse_short_edges(m_mesh, 1. / bound, bound, since_change);
-      changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, since); });
+      changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_VALENCE, since); });
       since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
       update_hints();
       m_mesh.report_progress(double(i + 1 - first_iteration) / m_maximum_number_of_iterations);
@@ -131,11 +131,11 @@ public:
     for(int i = 0; i < maximum_number_of_optimisation_passes; ++i)
     {
       std::size_t changes =
-        since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, since); });
+        since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_SCORE, since); });
       changes += since_last(m_cleaned_at, [&](const std::size_t since)
                             { return collapse_bad_faces(m_mesh, bad_score, since); });
       changes += since_last(m_improved_at, [&](const std::size_t since)
-                            { return improve_vertices(m_mesh, satisfying_score, since); });
+                            { return improve_vertices(m_mesh, since); });
       update_hints();
       m_mesh.report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
       if(m_mesh.is_stopped())

@@ -132,6 +132,7 @@ public:
   // \name Data of the elements
   int index(const vertex_descriptor v) const { return get(m_vertex_index, v); }
   const Vertex& data(const vertex_descriptor v) const { return m_vertices[index(v)]; }
+  const Site& site(const vertex_descriptor v) const { return data(v).site; }
   const Vector& point(const vertex_descriptor v) const { return data(v).site.point; }
   double size(const vertex_descriptor v) const { return data(v).site.size; }
   bool is_frozen(const vertex_descriptor v) const { return data(v).is_frozen; }
@@ -350,6 +351,8 @@ private:
     Vertex vertex;
     vertex.site = m_reference.vertex_site(face, corner);
     vertex.type = m_reference.vertex_classes[v];
+    if(vertex.type == SURFACE_VERTEX)
+      vertex.site.normal = m_reference.surface.blended_normal(vertex.site.location);
     vertex.reference_vertex = v;
     vertex.change = m_number_of_changes = 1;
     return add_vertex(vertex);

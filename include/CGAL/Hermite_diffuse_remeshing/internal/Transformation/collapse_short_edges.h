@@ -45,11 +45,11 @@ bool is_collapse_topologically_legal(const Working_mesh<UserMesh>& mesh,
 
 // No edge at the vertex that a collapse leaves may be longer than `longest_length` times its size, and the
 // worst score around it must be acceptable.
-template <typename UserMesh, typename IsScoreAcceptable>
+template <typename UserMesh, typename IsWorthAcceptable>
 bool is_collapse_geometrically_legal(const Working_mesh<UserMesh>& mesh,
                                      const typename Working_mesh<UserMesh>::halfedge_descriptor h,
-                                     const Site& site, const double longest_length,
-                                     const IsScoreAcceptable& is_acceptable)
+                                     const Star& star, const Site& site, const double longest_length,
+                                     const IsWorthAcceptable& is_acceptable)
 {
   const auto& tm = mesh.tmesh();
   const auto s = source(h, tm), t = target(h, tm);
@@ -62,9 +62,7 @@ bool is_collapse_geometrically_legal(const Working_mesh<UserMesh>& mesh,
       if((mesh.point(w) - site.point).norm() > longest_length * (mesh.size(w) + site.size) / 2.)
         return false;
     }
-  const double after = (std::min)(worst_score_around(mesh, s, site.point, t),
-                                  worst_score_around(mesh, t, site.point, s));
-  return is_acceptable(after);
+  return is_acceptable(star.worth(site));
 }
 
 // Places for the vertex that stays, best first.
@@ -81,15 +79,19 @@ collapse_sites(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<U
 }
 
 // Collapses h at the best legal place, if there is one.
-template <typename UserMesh, typename IsScoreAcceptable>
+template <typename UserMesh, typename IsWorthAcceptable>
 bool collapse_if_legal(Working_mesh<UserMesh>& mesh,
                        const typename Working_mesh<UserMesh>::halfedge_descriptor h,
-                       const double longest_length, const IsScoreAcceptable& is_acceptable)
+                       const double longest_length, const IsWorthAcceptable& is_acceptable)
 {
   if(!is_collapse_topologically_legal(mesh, h))
     return false;
+  const auto s = source(h, mesh.tmesh()), t = target(h, mesh.tmesh());
+  Star star(mesh.reference());
+  star.add(mesh, s, t);
+  star.add(mesh, t, s);
   for(const Site& site : collapse_sites(mesh, h))
-    if(is_collapse_geometrically_legal(mesh, h, site, longest_length, is_acceptable))
+    if(is_collapse_geometrically_legal(mesh, h, star, site, longest_length, is_acceptable))
     {
       mesh.collapse_edge(h, site);
       return true;
@@ -99,9 +101,9 @@ bool collapse_if_legal(Working_mesh<UserMesh>& mesh,
 
 // Collapses edges, shortest first: those that are candidates, `is_candidate(h)`, both before the pass and
 // when their turn comes, where the worst score may change as `is_acceptable(after, before)` says.
-template <typename UserMesh, typename IsCandidate, typename IsScoreAcceptable>
+template <typename UserMesh, typename IsCandidate, typename IsWorthAcceptable>
 std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_candidate,
-                           const double longest_length, const IsScoreAcceptable& is_acceptable)
+                           const double longest_length, const IsWorthAcceptable& is_acceptable)
 {
   typedef Working_mesh<UserMesh> Mesh;
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
@@ -128,13 +130,13 @@ std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_c
     // the vertex with the smaller number stays where both may: the same for every mesh type
     if(mesh.index(source(h, mesh.tmesh())) < mesh.index(target(h, mesh.tmesh())))
       h = opposite(h, mesh.tmesh());
-    const double score_before = (std::min)(worst_score_around(mesh, candidate.source),
-                                           worst_score_around(mesh, candidate.target));
-    const auto is_better = [&](const double after) { return is_acceptable(after, score_before); };
+    Worth before_collapse = worth_around(mesh, candidate.source);
+    before_collapse.add(worth_around(mesh, candidate.target));
+    const auto is_legal = [&](const Worth& after) { return is_acceptable(after, before_collapse); };
     const int first = mesh.index(source(h, mesh.tmesh())), second = mesh.index(target(h, mesh.tmesh()));
-    if(collapse_if_legal(mesh, h, longest_length, is_better))
+    if(collapse_if_legal(mesh, h, longest_length, is_legal))
       is_removed[first] = true;
-    else if(collapse_if_legal(mesh, opposite(h, mesh.tmesh()), longest_length, is_better))
+    else if(collapse_if_legal(mesh, opposite(h, mesh.tmesh()), longest_length, is_legal))
       is_removed[second] = true;
   }
   return mesh.counts().collapses - before;
@@ -152,7 +154,7 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
     [&](const halfedge_descriptor h)
     { return mesh.has_changed(h, since) && mesh.relative_length(h) < bound && !mesh.is_protected(h); },
     longest_length,
-    [](const double after, const double before) { return is_score_acceptable(after, before, score_floor); });
+    [](const Worth& after, const Worth& before) { return is_score_acceptable(after.score, before.score, score_floor); });
 }
 
 // Collapses edges of any length at faces with a score below `bound`, where the worst score becomes better:
@@ -164,12 +166,12 @@ std::size_t collapse_bad_faces(Working_mesh<UserMesh>& mesh, const double bound,
   // shape comes before size here, but not without limit
   constexpr double longest_length = 2.;
   const auto is_bad = [&](const halfedge_descriptor h)
-  { return !mesh.is_border_or_outside(h) && face_score(mesh, h) < bound; };
+  { return !mesh.is_border_or_outside(h) && face_worth(mesh, h).score < bound; };
   return collapse_edges(mesh,
     [&](const halfedge_descriptor h)
     { return mesh.has_changed(h, since) && !mesh.is_protected(h) && (is_bad(h) || is_bad(opposite(h, mesh.tmesh()))); },
     longest_length,
-    [](const double after, const double before) { return after > before + score_margin; });
+    [](const Worth& after, const Worth& before) { return is_better(after, before); });
 }
 
 } // namespace internal

@@ -12,40 +12,122 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// May the edge be replaced by the other diagonal of its two triangles? Never a feature, never
-// where the other diagonal is an edge already, and only if the worse of the two triangles gains in
-// score, that is, in shape and agreement with the model together (paper, section 4.5).
+// What is best for a flip: that the worse triangle is better, or that the vertices have about the number
+// of triangles that fit their angle, so that relocation can make them equilateral.
+enum Flip_criterion { BY_SCORE, BY_VALENCE };
+
+// How many triangles the part of the surface between two curves has at the target of h, more than fit
+// into the angle there; 0 is best. Six fit around a vertex inside the surface.
 template <typename UserMesh>
-bool is_flip_legal(const Working_mesh<UserMesh>& mesh,
-                   const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+int excess_of_faces(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  const auto& tm = mesh.tmesh();
+  constexpr int ideal_number = 6;
+  const auto v = target(h, tm);
+  if(mesh.data(v).type == SURFACE_VERTEX)
+    return static_cast<int>(degree(v, tm)) - ideal_number;
+
+  const auto ends_sector = [&](const auto g) { return mesh.is_on_curve(g) || mesh.is_protected(g)
+                                                   || mesh.is_border_or_outside(g) != mesh.is_border_or_outside(opposite(g, tm)); };
+  int number = 0;
+  double angle = 0.;
+  const auto add_face_of = [&](const auto g)
+  {
+    const Vector a = mesh.point(source(g, tm)) - mesh.point(v);
+    const Vector b = mesh.point(target(next(g, tm), tm)) - mesh.point(v);
+    angle += std::atan2(a.cross(b).norm(), a.dot(b));
+    ++number;
+  };
+  // to the one side, then to the other
+  auto g = h;
+  do
+  {
+    add_face_of(g);
+    g = opposite(next(g, tm), tm);
+  }
+  while(g != h && !ends_sector(g));
+  if(g != h)
+    for(g = h; !ends_sector(g); )
+    {
+      g = prev(opposite(g, tm), tm);
+      add_face_of(g);
+    }
+  const double fitting = angle * ideal_number / (2. * boost::math::constants::pi<double>());
+  // keeps a right angle, where one and a half would fit, away from the limit
+  constexpr double offset = 0.037;
+  return number - (std::max)(1, static_cast<int>(std::lround(fitting + offset)));
+}
+
+template <typename UserMesh>
+bool is_flip_topologically_legal(const Working_mesh<UserMesh>& mesh,
+                                 const typename Working_mesh<UserMesh>::halfedge_descriptor h)
 {
   const auto& tm = mesh.tmesh();
   const auto o = opposite(h, tm);
   if(mesh.is_on_curve(h) || mesh.is_protected(h) || mesh.is_border_or_outside(h) || mesh.is_border_or_outside(o))
     return false;
   const auto c = target(next(h, tm), tm), d = target(next(o, tm), tm);
-  if(c == d || halfedge(c, d, tm).second)
-    return false;
-
-  const double before = (std::min)(face_score(mesh, h), face_score(mesh, o));
-  const Vector& a = mesh.point(source(h, tm));
-  const Vector& b = mesh.point(target(h, tm));
-  const Reference& reference = mesh.reference();
-  const double first = score(reference, a, mesh.point(d), mesh.point(c), mesh.hint(h));
-  if(first <= before + score_margin)
-    return false;
-  return score(reference, mesh.point(d), b, mesh.point(c), mesh.hint(o)) > before + score_margin;
+  return c != d && !halfedge(c, d, tm).second;
 }
 
-// One pass over the edges with changes around them, the relatively longest first.
+// the change of the sum of squares of the excesses
 template <typename UserMesh>
-std::size_t flip_edges(Working_mesh<UserMesh>& mesh, const std::size_t since)
+int valence_gain(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  const auto& tm = mesh.tmesh();
+  const auto o = opposite(h, tm);
+  int gain = 0;
+  for(const auto g : {h, o})                       // loses a triangle
+  {
+    const int excess = excess_of_faces(mesh, g);
+    gain += CGAL::square(excess) - CGAL::square(excess - 1);
+  }
+  for(const auto g : {next(h, tm), next(o, tm)})   // gets one
+  {
+    const int excess = excess_of_faces(mesh, g);
+    gain += CGAL::square(excess) - CGAL::square(excess + 1);
+  }
+  return gain;
+}
+
+template <typename UserMesh>
+bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h,
+                   const Flip_criterion criterion)
+{
+  if(!is_flip_topologically_legal(mesh, h))
+    return false;
+  const auto& tm = mesh.tmesh();
+  const auto o = opposite(h, tm);
+  Worth before = face_worth(mesh, h);
+  before.add(face_worth(mesh, o));
+  const Site& a = mesh.site(source(h, tm));
+  const Site& b = mesh.site(target(h, tm));
+  const Site& c = mesh.site(target(next(h, tm), tm));
+  const Site& d = mesh.site(target(next(o, tm), tm));
+  Worth after = worth(mesh.reference(), a, d, c, mesh.hint(h));
+  after.add(worth(mesh.reference(), d, b, c, mesh.hint(o)));
+  if(criterion == BY_SCORE)
+    return is_better(after, before);
+  const int gain = valence_gain(mesh, h);
+  // triangles worse than this would hinder the relocation
+  constexpr double least_score_of_flip = 0.4;
+  return gain > 0 ? is_score_acceptable(after.score, before.score, least_score_of_flip)
+                  : gain == 0 && is_better(after, before);
+}
+
+// Flips the edges near which something has changed since the change numbered `since`.
+template <typename UserMesh>
+std::size_t flip_edges(Working_mesh<UserMesh>& mesh, const Flip_criterion criterion, const std::size_t since)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   const std::size_t before = mesh.counts().flips;
@@ -55,7 +137,7 @@ std::size_t flip_edges(Working_mesh<UserMesh>& mesh, const std::size_t since)
   {
     if(mesh.is_stopped())
       break;
-    if(is_flip_legal(mesh, candidate.halfedge))
+    if(is_flip_legal(mesh, candidate.halfedge, criterion))
       mesh.flip_edge(candidate.halfedge);
   }
   return mesh.counts().flips - before;

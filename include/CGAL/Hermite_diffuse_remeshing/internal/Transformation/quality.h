@@ -18,12 +18,8 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Two candidates whose scores differ by less are equal: rounding must not choose between them,
-// or a rotated input would be meshed otherwise.
-constexpr double score_margin = 1e-6;
-
-// 2 sqrt(3) times the radius of the inscribed circle over the longest edge (paper, section 4.5):
-// 1 for the equilateral triangle. `double_area` is twice the area.
+// Q = 2 sqrt(3) rho / L, the paper's quality: rho is the radius of the inscribed circle, L the longest
+// side, Q = 1 for an equilateral triangle.
 inline double quality(const Vector& a, const Vector& b, const Vector& c, const double double_area)
 {
   const double l1 = (b - a).norm(), l2 = (c - b).norm(), l3 = (a - c).norm();
@@ -36,21 +32,55 @@ inline double quality(const Vector& a, const Vector& b, const Vector& c)
   return quality(a, b, c, (b - a).cross(c - a).norm());
 }
 
-// Shape and geometric error in one number: the quality times the squared cosine of the angle to the
-// model's normal at the middle of the triangle. Negative for a triangle that is turned over.
-inline double score(const Vector& a, const Vector& b, const Vector& c, const Vector& model_normal)
+// What one triangle is worth, or the worst of several. The score is the quality times the squared cosine
+// of the angle to the model's normal, which for a triangle inscribed in a curved surface measures the
+// geometric error; negative where the triangle is turned against the model.
+struct Worth
+{
+  double score = 1., quality = 1.;
+
+  void add(const Worth& other)
+  {
+    score = (std::min)(score, other.score);
+    quality = (std::min)(quality, other.quality);
+  }
+};
+
+// scores closer than this are the same
+constexpr double score_margin = 1e-6;
+
+// a change that is worth making: a better score, and no smaller quality
+inline bool is_better(const Worth& after, const Worth& before)
+{
+  return after.score > before.score + score_margin && after.quality >= before.quality;
+}
+
+inline Worth worth(const Vector& a, const Vector& b, const Vector& c, const Vector& model_normal)
 {
   const Vector n = (b - a).cross(c - a);
   const double double_area = n.norm();
+  Worth result{0., 0.};
   if(!(double_area > 0.))
-    return 0.;
+    return result;
+  result.quality = quality(a, b, c, double_area);
   const double cosine = n.dot(model_normal) / double_area;
-  return cosine > 0. ? quality(a, b, c, double_area) * cosine * cosine : cosine;
+  result.score = cosine > 0. ? result.quality * cosine * cosine : cosine;
+  return result;
 }
 
-inline double score(const Reference& reference, const Vector& a, const Vector& b, const Vector& c, const int hint)
+// The model's normal at a triangle: the mean of those at its vertices, which is close to the one at the
+// centroid and costs no search. Sites on curves have none; where less than two others are left, it is
+// looked up on the reference, near the face `hint`.
+inline Vector triangle_normal(const Reference& reference, const Site& a, const Site& b, const Site& c, const int hint)
 {
-  return score(a, b, c, reference.normal_near((a + b + c) / 3., hint));
+  if(a.has_normal() + b.has_normal() + c.has_normal() < 2)
+    return reference.normal_near((a.point + b.point + c.point) / 3., hint);
+  return (a.normal + b.normal + c.normal).stableNormalized();
+}
+
+inline Worth worth(const Reference& reference, const Site& a, const Site& b, const Site& c, const int hint)
+{
+  return worth(a.point, b.point, c.point, triangle_normal(reference, a, b, c, hint));
 }
 
 } // namespace internal

@@ -90,80 +90,69 @@ std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
     constexpr double least_move = 0.02;
     if((site.point - old_site.point).norm() < least_move * old_site.size)
       continue;
-    const double score_before = worst_score_around(mesh, v);
+    Star star(mesh.reference());
+    star.add(mesh, v);
     // the centroid makes good triangles on the whole; a mild loss of the worst is allowed above this
     constexpr double good_score = 0.6;
-    if(is_score_acceptable(worst_score_around(mesh, v, site.point), score_before, good_score))
+    if(is_score_acceptable(star.worth(site).score, star.worth(old_site).score, good_score))
       mesh.relocate(v, site);
   }
   return mesh.counts().relocations - before;
 }
 
-// Candidate places around a vertex at a distance `step`: on a curve to both sides, on the surface in
-// eight directions of the tangent plane, the first towards a neighbour so that the pattern turns
-// with the mesh.
-template <typename UserMesh, typename Visit>
-void visit_pattern(const Working_mesh<UserMesh>& mesh,
-                   const typename Working_mesh<UserMesh>::vertex_descriptor v,
-                   const double step, const Visit& visit)
+// the site with the least badness among those on the curve of v, between its neighbours
+template <typename UserMesh>
+Site better_site_on_curve(const Working_mesh<UserMesh>& mesh,
+                          const typename Working_mesh<UserMesh>::vertex_descriptor v, const Star& star)
 {
-  const Site& site = mesh.data(v).site;
+  // of the distance to the closer neighbour
+  constexpr double first_step = 0.2, last_step = 0.02;
   const Reference& reference = mesh.reference();
-  if(mesh.data(v).type == CURVE_VERTEX)
+  const std::pair<double, double> ends = neighbor_parameters(mesh, v);
+  Site best = mesh.site(v);
+  const double length = (std::min)(best.parameter - ends.first, ends.second - best.parameter);
+  Star::Badness least = star.badness(best);
+  for(double step = first_step; step >= last_step; )
   {
-    const std::pair<double, double> ends = neighbor_parameters(mesh, v);
-    for(const double s : {site.parameter - step, site.parameter + step})
-      if(s > ends.first && s < ends.second)
-        visit(reference.curve_site(site.curve, s));
-    return;
+    const double center = best.parameter;
+    for(const double s : {center - step * length, center + step * length})
+    {
+      if(s <= ends.first || s >= ends.second)
+        continue;
+      const Site candidate = reference.curve_site(best.curve, s);
+      const Star::Badness b = star.badness(candidate);
+      if(b.sum < least.sum - score_margin && b.worst_score >= least.worst_score)
+      {
+        least = b;
+        best = candidate;
+      }
+    }
+    if(best.parameter == center)
+      step /= 2.;
   }
-  const Vector n = reference.surface.blended_normal(site.location);
-  const Node_frame frame(site.point, n, mesh.point(first_neighbor(mesh, v)), 1.);
-  constexpr int number_of_directions = 8;
-  for(int i = 0; i < number_of_directions; ++i)
-  {
-    const double angle = 2. * boost::math::constants::pi<double>() * i / number_of_directions;
-    visit(reference.surface_site(site.point + step * (std::cos(angle) * frame.x_axis
-                                                      + std::sin(angle) * frame.y_axis),
-                                 site.location.face));
-  }
+  return best;
 }
 
-// Pattern search for the place with the best worst score (paper, section 4.5). Only vertices with a
-// face below `target_score` are looked at; the worst score around a vertex never falls.
+// Moves every vertex near which something has changed to where its triangles are best on the whole and
+// the worst is no worse than before.
 template <typename UserMesh>
-std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const double target_score, const std::size_t since)
+std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
+  // of the badness: a smaller gain is not worth a move, and the sweeps come to rest
+  constexpr double least_gain = 0.01;
   const std::size_t before = mesh.counts().relocations;
   for(const auto v : movable_vertices(mesh, since))
   {
     if(mesh.is_stopped())
       break;
-    double best_score = worst_score_around(mesh, v);
-    if(best_score >= target_score)
-      continue;
-    // steps relative to the size; the last is small enough to settle near the optimum
-    constexpr double first_step = 0.25, last_step = 0.02;
-    for(double step = first_step; step >= last_step; )
-    {
-      Site best;
-      bool is_found = false;
-      const auto visit = [&](const Site& site)
-      {
-        const double candidate_score = worst_score_around(mesh, v, site.point);
-        if(candidate_score > best_score + score_margin)
-        {
-          best_score = candidate_score;
-          best = site;
-          is_found = true;
-        }
-      };
-      visit_pattern(mesh, v, step * mesh.size(v), visit);
-      if(is_found)
-        mesh.relocate(v, best);
-      else
-        step /= 2.;
-    }
+    Star star(mesh.reference());
+    star.add(mesh, v);
+    const Site& old_site = mesh.site(v);
+    const Site site = mesh.data(v).type == CURVE_VERTEX ? better_site_on_curve(mesh, v, star) : star.better_site(old_site);
+    const Worth worth_before = star.worth(old_site), worth_after = star.worth(site);
+    if(worth_after.score >= worth_before.score && worth_after.quality >= worth_before.quality
+       && star.badness(site).sum < (1. - least_gain) * star.badness(old_site).sum)
+      mesh.relocate(v, site);
   }
   return mesh.counts().relocations - before;
 }

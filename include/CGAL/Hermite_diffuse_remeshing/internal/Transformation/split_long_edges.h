@@ -13,7 +13,6 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -43,20 +42,18 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
   // the two halves of a good triangle have two thirds of its quality or more
   constexpr double share_of_half = 0.4;
   const Reference& reference = mesh.reference();
-  double before = (std::numeric_limits<double>::max)(), after = before;
+  Worth before, after;
   for(const auto side : {h, opposite(h, mesh.tmesh())})
   {
     if(mesh.is_border_or_outside(side))
       continue;
-    const Vector& a = mesh.point(source(side, mesh.tmesh()));
-    const Vector& b = mesh.point(target(side, mesh.tmesh()));
-    const Vector& c = mesh.point(target(next(side, mesh.tmesh()), mesh.tmesh()));
-    before = (std::min)(before, face_score(mesh, side));
-    after = (std::min)({after, score(reference, a, site.point, c, mesh.hint(side)),
-                               score(reference, site.point, b, c, mesh.hint(side))});
+    before.add(face_worth(mesh, side));
+    const Site& opposite_site = mesh.site(target(next(side, mesh.tmesh()), mesh.tmesh()));
+    after.add(worth(reference, mesh.site(source(side, mesh.tmesh())), site, opposite_site, mesh.hint(side)));
+    after.add(worth(reference, site, mesh.site(target(side, mesh.tmesh())), opposite_site, mesh.hint(side)));
   }
-  return after > least_score ? after >= (std::min)(score_floor, share_of_half * before)
-                             : after > before + score_margin;
+  return after.score > least_score ? after.score >= (std::min)(score_floor, share_of_half * before)
+                             : after.score > before.score + score_margin;
 }
 
 // Splits the edges that are longer than `bound` times their size, longest first; edges that are

@@ -1,0 +1,194 @@
+// Remeshes known meshes to given numbers of faces, by trying approximation errors, and prints what CGAL
+// measures on the results: one line per mesh, the columns separated by tabs.
+//
+//   quality_table [error|sagitta] [part of a name]
+//
+// The sizes follow the relative error, or a sagitta that is the same everywhere.
+
+#include "../../test/Hermite_diffuse_remeshing/sized_surfaces.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3                                     Point;
+typedef CGAL::Surface_mesh<Point>                           Mesh;
+typedef CGAL::Hermite_diffuse_remeshing::Remeshing_report<Mesh> Report;
+
+struct Case
+{
+  const char* name;
+  std::size_t number_of_faces;
+};
+
+const Case cases[] = {{"fandisk", 6000}, {"joint", 6000}, {"elephant", 8000}, {"anchor_dense", 8000},
+                      {"couplingdown", 6000}, {"mech-holes-shark", 8000}, {"armadillo", 50000},
+                      {"bunny00", 100000}, {"torus", 6000}, {"ellipsoid", 6000}};
+
+Mesh make_mesh(const analytic::Triangles& triangles)
+{
+  std::vector<Point> points;
+  for(const analytic::Point& p : triangles.points)
+    points.push_back(Point(p[0], p[1], p[2]));
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(points, triangles.faces, mesh);
+  return mesh;
+}
+
+Mesh read(const std::string& name)
+{
+  constexpr int number_of_faces = 20000, seed = 1;
+  if(name == "torus")
+    return make_mesh(analytic::Sized_torus().mesh(number_of_faces, seed));
+  if(name == "ellipsoid")
+    return make_mesh(analytic::Ellipsoid_123().mesh(number_of_faces, seed));
+  Mesh mesh;
+  PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh);
+  return mesh;
+}
+
+double diagonal(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  return std::sqrt(CGAL::squared_distance(Point(box.xmin(), box.ymin(), box.zmin()),
+                                          Point(box.xmax(), box.ymax(), box.zmax())));
+}
+
+std::size_t number_of_intersections(const Mesh& mesh)
+{
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > pairs;
+  PMP::self_intersections(faces(mesh), mesh, std::back_inserter(pairs));
+  return pairs.size();
+}
+
+double largest_distance(const Mesh& from, const Mesh& to)
+{
+  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
+  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > tree(faces(to).begin(), faces(to).end(), to);
+  std::vector<Point> samples;
+  PMP::sample_triangle_mesh(from, std::back_inserter(samples),
+                            CGAL::parameters::random_seed(0).number_of_points_on_faces(200000));
+  double largest = 0.;
+  for(const Point& p : samples)
+    largest = (std::max)(largest, tree.squared_distance(p));
+  return std::sqrt(largest);
+}
+
+std::vector<double> sorted_qualities(const Mesh& mesh)
+{
+  std::vector<double> result;
+  for(const Mesh::Face_index f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    const Point& a = mesh.point(mesh.source(h));
+    const Point& b = mesh.point(mesh.target(h));
+    const Point& c = mesh.point(mesh.target(mesh.next(h)));
+    const double l = std::sqrt(CGAL::squared_distance(a, b)), m = std::sqrt(CGAL::squared_distance(b, c)),
+                 n = std::sqrt(CGAL::squared_distance(c, a));
+    const double area = std::sqrt(CGAL::squared_area(a, b, c));
+    result.push_back(4. * std::sqrt(3.) * area / ((l + m + n) * (std::max)({l, m, n})));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+bool is_sagitta = false;
+
+// `value` is the relative error, or the sagitta relative to the diagonal
+Report remesh(Mesh& mesh, const double value)
+{
+  if(is_sagitta)
+    return PMP::hermite_diffuse_remesh(mesh, CGAL::parameters::sagitta(value * diagonal(mesh)));
+  return PMP::hermite_diffuse_remesh(mesh, CGAL::parameters::approximation_error(value));
+}
+
+// the part of the edges that another run with the same parameters does not keep
+double changed_edges(Mesh first, const double value)
+{
+  first.collect_garbage();
+  Mesh second = first;
+  remesh(second, value);
+  std::size_t kept = 0;
+  for(const Mesh::Edge_index e : first.edges())
+  {
+    const Mesh::Vertex_index v = first.vertex(e, 0), w = first.vertex(e, 1);
+    kept += !second.is_removed(v) && !second.is_removed(w) && second.halfedge(v, w) != Mesh::null_halfedge();
+  }
+  return 1. - double(kept) / double(first.number_of_edges());
+}
+
+// `result` gets the mesh with the number of faces closest to the one wanted
+double find_value(const Mesh& input, const std::size_t number_of_faces, Mesh& result, Report& report)
+{
+  constexpr int maximum_number_of_trials = 6;
+  constexpr double enough = 0.02;
+  double value = is_sagitta ? 1e-3 : 1e-2, best_value = value, best = 1e9;
+  for(int i = 0; i < maximum_number_of_trials; ++i)
+  {
+    Mesh mesh = input;
+    const Report r = remesh(mesh, value);
+    const double ratio = double(r.number_of_faces) / double(number_of_faces);
+    if(std::abs(std::log(ratio)) < best)
+    {
+      best = std::abs(std::log(ratio));
+      best_value = value;
+      result = mesh;
+      report = r;
+    }
+    if(best < enough)
+      break;
+    value = (std::min)(0.5, value * ratio);
+  }
+  return best_value;
+}
+
+int main(int argc, char* argv[])
+{
+  is_sagitta = argc > 1 && std::string(argv[1]) == "sagitta";
+  const std::string wanted = argc > 2 ? argv[2] : "";
+  std::cout << "mesh\t" << (is_sagitta ? "sagitta" : "error") << "\tfaces\tQmin\tQ1%\tQmean\tbelow 0.3\tdistance of the diagonal there\tback"
+               "\tmodel rms\tintersections before\tafter\tchanged by a second run\tseconds" << std::endl;
+  for(const Case& c : cases)
+  {
+    const std::string name = c.name;
+    if(name.find(wanted) == std::string::npos)
+      continue;
+    const Mesh input = read(name);
+    Mesh mesh;
+    Report report;
+    const double value = find_value(input, c.number_of_faces, mesh, report);
+    const std::vector<double> q = sorted_qualities(mesh);
+    double sum = 0.;
+    for(const double quality : q)
+      sum += quality;
+    const double length = diagonal(input);
+    std::cout << name << "\t" << value << "\t" << q.size() << "\t" << q.front() << "\t" << q[q.size() / 100]
+              << "\t" << sum / double(q.size())
+              << "\t" << std::lower_bound(q.begin(), q.end(), 0.3) - q.begin()
+              << "\t" << largest_distance(mesh, input) / length << "\t" << largest_distance(input, mesh) / length
+              << "\t" << report.mean_deviation / length
+              << "\t" << number_of_intersections(input) << "\t" << number_of_intersections(mesh)
+              << "\t" << changed_edges(mesh, value) << "\t" << report.seconds << std::endl;
+  }
+  return EXIT_SUCCESS;
+}
