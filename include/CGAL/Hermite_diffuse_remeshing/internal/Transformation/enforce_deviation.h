@@ -23,13 +23,14 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // Where a face deviates too much, asks the size map for the length that would do: a deviation goes
-// with the square of the length. Returns whether a smaller size could be asked for anywhere.
+// with the square of the length. `aim`: the part of the length that just does to ask for. Returns whether a
+// smaller size could be asked for anywhere.
 template <typename UserMesh>
 bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviations<UserMesh>& deviations,
-                  const double maximum_deviation)
+                  const double maximum_deviation, const double aim)
 {
-  // aim below the bound, and never change the size by more than this in one step
-  constexpr double safety = 0.8, largest_step = 0.35;
+  // never changes the size by more than this in one step
+  constexpr double largest_step = 0.35;
   // a cap must lower the size by a visible amount to be worth another pass
   constexpr double least_gain = 0.98;
   std::vector<std::pair<Location, double> > caps;
@@ -41,7 +42,7 @@ bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviation
     double longest = 0.;
     for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
       longest = (std::max)(longest, mesh.length(h));
-    const double factor = (std::max)(largest_step, safety * std::sqrt(maximum_deviation / entry.deviation));
+    const double factor = (std::max)(largest_step, aim * std::sqrt(maximum_deviation / entry.deviation));
     // at the corners too: the slope of the sizes would undo a cap in the middle alone
     const auto cap_at = [&](const Location& location)
     {
@@ -74,6 +75,11 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
                                        const double maximum_deviation, Stop_reason& stop_reason)
 {
   constexpr int maximum_number_of_rounds = 20, patience = 3;
+  // Edges may be longer than their size by the band in which they are left alone, the square root of two.
+  // At first most of the faces that deviate too much are such accidents, and the next ones will not be;
+  // then the few that are left are to do even so.
+  constexpr int number_of_first_rounds = 2;
+  constexpr double first_aim = 0.8, last_aim = 0.8 / 1.4142135623730951;
   Deviation_meter<UserMesh> meter(mesh, maximum_deviation);
   meter.measure();
   std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
@@ -87,7 +93,8 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
     fewest = (std::min)(fewest, number);
     const std::size_t since = mesh.number_of_changes();
     if(number == 0 || rounds_without_gain == patience || mesh.is_stopped() || mesh.is_full()
-       || !refine_sizes(mesh, sizes, deviations, maximum_deviation))
+       || !refine_sizes(mesh, sizes, deviations, maximum_deviation,
+                        round < number_of_first_rounds ? first_aim : last_aim))
       break;
     stop_reason = remesher.optimise(remesher.adapt_again(since), since);
     meter.update(since);

@@ -52,8 +52,8 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
     after.add(worth(reference, mesh.site(source(side, mesh.tmesh())), site, opposite_site, mesh.hint(side)));
     after.add(worth(reference, site, mesh.site(target(side, mesh.tmesh())), opposite_site, mesh.hint(side)));
   }
-  return after.score > least_score ? after.score >= (std::min)(score_floor, share_of_half * before)
-                             : after.score > before.score + score_margin;
+  return after.score > least_score ? after.score >= (std::min)(score_floor, share_of_half * before.score)
+                                   : after.score > before.score + score_margin;
 }
 
 // Splits the edges that are longer than `bound` times their size, longest first; edges that are
