@@ -88,8 +88,9 @@ class Reference_surface
   Model_options m_options;
   std::vector<Local_quadric> m_quadrics;              // of the faces, if they are solved at centroids
 
-  // slopes of a normal that lies nearly in the plane of the frame carry no information
-  static constexpr double least_cosine = 0.2;
+  // Slopes of a normal that lies nearly in the plane of the frame carry no information. The frame turns with
+  // the query, so they fade: a node that came in or went out at once would break the surface.
+  static constexpr double least_cosine = 0.2, trusted_cosine = 0.5;
   static constexpr double ridge = 1e-9;
 
 public:
@@ -146,6 +147,12 @@ public:
   }
 
 private:
+  static double trust(const double cosine)
+  {
+    const double u = (std::min)(1., (cosine - least_cosine) / (trusted_cosine - least_cosine));
+    return u * u * (3. - 2. * u);
+  }
+
   Local_quadric solve(const Location& location) const
   {
     Local_quadric result;
@@ -196,7 +203,7 @@ private:
       const double nz = node.normal.dot(result.z_axis);
       if(nz > least_cosine)
         polynomial.add_position_and_slopes(x, y, z, (1. - t) * omega, -node.normal.dot(result.x_axis) / nz,
-                                           -node.normal.dot(result.y_axis) / nz, t * omega);
+                                           -node.normal.dot(result.y_axis) / nz, t * omega * trust(nz));
       else
         polynomial.add_position(x, y, z, (1. - t) * omega);
     }

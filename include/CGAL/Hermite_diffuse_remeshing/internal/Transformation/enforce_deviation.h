@@ -31,6 +31,10 @@ bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviation
 {
   // never changes the size by more than this in one step
   constexpr double largest_step = 0.35;
+  // The adaptation leaves edges up to twice as long as their sizes. A face with a longer one has not followed
+  // the size that it has been asked for already: a protected edge, or a fold of the model, where
+  // every split makes slivers or turns faces over. A smaller size does not help it.
+  constexpr double longest_following_length = 2.2;
   // a cap must lower the size by a visible amount to be worth another pass
   constexpr double least_gain = 0.98;
   std::vector<std::pair<Location, double> > caps;
@@ -42,6 +46,8 @@ bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviation
     double longest = 0.;
     for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
       longest = (std::max)(longest, mesh.length(h));
+    if(longest > longest_following_length * sizes(entry.location))
+      continue;
     const double factor = (std::max)(largest_step, aim * std::sqrt(maximum_deviation / entry.deviation));
     // at the corners too: the slope of the sizes would undo a cap in the middle alone
     const auto cap_at = [&](const Location& location)
