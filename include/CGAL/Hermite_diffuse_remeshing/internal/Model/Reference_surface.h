@@ -161,9 +161,11 @@ private:
     result.x_axis = any_normal(result.z_axis);
     result.y_axis = result.z_axis.cross(result.x_axis);
 
-    double weight = 0., size = 0., cubic_ridge = 0.;
+    double weight = 0., size = 0., cubic_ridge = 0., between_singular = 0.;
     for(int k = 0; k < 3; ++k)
     {
+      if(node(location.face, k).is_singular && node(location.face, next(k)).is_singular)
+        between_singular += location.coordinates[k] * location.coordinates[next(k)];
       const Node& corner = node(location.face, k);
       cubic_ridge += location.coordinates[k] * corner.cubic_ridge;
       if(corner.is_singular)
@@ -181,6 +183,11 @@ private:
       case 4:  fit<4>(location, cubic_ridge, result); break;
       default: fit<3>(location, cubic_ridge, result); break;
     }
+    // An edge between two apices is straight, as no normal is known there. The fit beside it is led to it: this
+    // factor is zero on that edge and one on the two others.
+    if(between_singular > 0.)
+      for(double& a : result.a)
+        a *= weight / (weight + between_singular);
     return result;
   }
 
