@@ -55,7 +55,7 @@ void run(const std::string& name, const Mesh& input)
       if(stage.first == "deviation")
         seconds = stage.second;
     std::cout << name << "\t" << 100. * part << "\t" << report.number_of_input_faces << "\t" << report.number_of_faces
-              << "\t" << report.number_of_iterations << "\t" << report.seconds << "\t" << seconds
+              << "\t" << report.number_of_deviation_rounds << "\t" << report.seconds << "\t" << seconds
               << "\t" << report.smallest_quality << "\t" << report.mean_quality
               << "\t" << report.largest_deviation / bound << "\t" << to_model / bound << "\t" << from_model / bound
               << "\t" << (report.is_maximum_deviation_met ? "met" : "not met")
@@ -91,7 +91,7 @@ int main(int argc, char* argv[])
   for(int i = 2; i < argc; ++i)
     parts.push_back(std::atof(argv[i]));
 
-  std::cout << "mesh\t% of diagonal\tinput faces\tfaces\titerations\tseconds\tof them deviation\tQmin\tQmean"
+  std::cout << "mesh\t% of diagonal\tinput faces\tfaces\trounds\tseconds\tof them deviation\tQmin\tQmean"
                "\treported/bound\tto model/bound\tfrom model/bound\tmet\tfaces above\tstop\tsamples\tseconds of CGAL"
             << std::endl;
   constexpr int number_of_faces = 5000;

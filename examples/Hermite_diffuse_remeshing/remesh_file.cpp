@@ -54,7 +54,7 @@ struct Options
   double sharp_angle = 40.;
   double corner_angle = 60.;
   int iterations = 10;
-  std::size_t maximum_number_of_faces = std::size_t((std::numeric_limits<int>::max)());
+  std::size_t maximum_number_of_faces = 0;
   bool is_prediction = false;
   bool is_quiet = false;
   bool is_help_wanted = false;
@@ -97,7 +97,7 @@ po::options_description visible_options(Options& o)
     ("corner-angle", number(o.corner_angle, "DEG"),
      "feature curves that turn more have a corner (60)")
     ("maximum-number-of-faces", number(o.maximum_number_of_faces, "N"),
-     "scale the sizes to meet this (no limit)")
+     "scale the sizes to meet this (500000, or ten times the input)")
     ("predict", po::bool_switch(&o.is_prediction),
      "print the number of faces to expect, and write nothing")
     ("iterations", number(o.iterations, "N"), "largest number of passes (10)")

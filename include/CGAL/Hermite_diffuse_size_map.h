@@ -100,8 +100,11 @@ public:
     m_model = read_model(tmesh, triangles, vertex_descriptors, face_descriptors, m_traits, pack);
     m_sizes.reset(new Size_map(m_model->surface, m_model->edges, m_model->curves, options));
     if constexpr(is_given<std::decay_t<decltype(pack)>, internal_np::maximum_number_of_faces_t>())
-      m_sizes->limit_number_of_faces(double(get_parameter(pack, internal_np::maximum_number_of_faces)),
-                                     [](int) { return true; });
+    {
+      const double limit = double(get_parameter(pack, internal_np::maximum_number_of_faces));
+      if(limit > 0.)
+        m_sizes->limit_number_of_faces(limit, [](int) { return true; });
+    }
   }
 
   /// returns the size at the point of the mesh that is closest to `p`, a length; in time logarithmic in

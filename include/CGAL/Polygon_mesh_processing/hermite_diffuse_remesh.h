@@ -59,6 +59,13 @@ public:
   }
 };
 
+// Larger meshes are made on request only: the default must end in about a minute, whatever size is asked for.
+inline std::size_t default_maximum_number_of_faces(const std::size_t number_of_input_faces)
+{
+  constexpr std::size_t number = 500000, growth = 10;
+  return (std::max)(number, growth * number_of_input_faces);
+}
+
 // Writes where the vertices lie on the input, their sizes and the faces' origins and deviations.
 template <typename Mesh, typename Deviation, typename Pack>
 void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations, const Pack& pack)
@@ -157,9 +164,9 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_deviation}
  *     \cgalParamDescription{largest distance between the result and the fitted surface, measured at vertices,
- *       middles of edges and centroids of faces of the result, and from the input's vertices to the
- *       result. Where it is exceeded the sizes are lowered and the mesh is adapted again. The report says
- *       whether it was met, and where it was not.}
+ *       middles of edges and centroids of faces of the result, and from the input's vertices and feature
+ *       curves to the result. Where it is exceeded the sizes are lowered and the mesh is adapted again
+ *       there, in at most 20 rounds. The report says whether it was met, and where it was not.}
  *     \cgalParamType{`double`, a length, larger than 0}
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
@@ -264,9 +271,11 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{maximum_number_of_faces}
  *     \cgalParamDescription{budget of remeshed faces. The sizes, their bounds included, are scaled up until
  *       nine tenths of it are predicted, and no edge is split beyond it, or beyond the number of faces of
- *       the input if that is larger.}
+ *       the input if that is larger. The default keeps an absurdly small size from filling the
+ *       memory; where it is met the report says `FACE_BUDGET`.}
  *     \cgalParamType{`std::size_t`}
- *     \cgalParamDefault{`std::numeric_limits<int>::max()`}
+ *     \cgalParamDefault{500000, or ten times the number of faces of the input if that is larger; 0 means this
+ *       default}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and operations and may stop the remeshing}
@@ -364,14 +373,15 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
   // everything is read and checked before the first change
   const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
   check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
-  const std::size_t maximum_number_of_faces =
-    choose_parameter(get_parameter(pack, internal_np::maximum_number_of_faces),
-                     std::size_t((std::numeric_limits<int>::max)()));
+  std::size_t maximum_number_of_faces =
+    choose_parameter(get_parameter(pack, internal_np::maximum_number_of_faces), std::size_t(0));
 
   std::vector<face_descriptor> face_descriptors;
   const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
   const Size_options size_options = read_size_options(pack, gt, model_diameter(triangles), face_descriptors);
   const double maximum_deviation = size_options.maximum_deviation;
+  if(maximum_number_of_faces == 0)
+    maximum_number_of_faces = default_maximum_number_of_faces(face_descriptors.size());
 
   Remeshing_report<TriangleMesh> report;
   report.number_of_input_faces = face_descriptors.size();
@@ -422,9 +432,16 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
 
   Deviations<User> deviations;
   stage("deviation", [&]
-  { deviations = enforce_deviation(mesh, *sizes, remesher, maximum_deviation, report.stop_reason); });
+  { deviations = enforce_deviation(mesh, *sizes, remesher, maximum_deviation, report.stop_reason,
+                                   report.number_of_deviation_rounds); });
 
   fill_report(mesh, deviations, report);
+  if(mesh.is_stopped())
+    report.stop_reason = STOPPED_BY_VISITOR;
+  else if(mesh.is_full() || report.size_scale > 1.)
+    report.stop_reason = FACE_BUDGET;
+  else if(!report.is_maximum_deviation_met)
+    report.stop_reason = DEVIATION_NOT_MET;
   report.number_of_iterations = remesher.number_of_iterations();
   report.number_of_corners = std::count_if(model->vertex_classes.begin(), model->vertex_classes.end(), is_corner);
   report.number_of_feature_edges = std::count_if(model->edge_classes.begin(), model->edge_classes.end(), is_feature);

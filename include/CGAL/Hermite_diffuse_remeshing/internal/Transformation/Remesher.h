@@ -73,7 +73,7 @@ public:
   // same, where sizes or faces have changed since; the rest is left alone
   Stop_reason adapt_again(const std::size_t since)
   {
-    m_flipped_at = m_balanced_at = m_improved_at = m_cleaned_at = since;
+    m_flipped_at = m_balanced_at = m_improved_at = m_hunted_at = since;
     return adapt_from(1, since);
   }
 

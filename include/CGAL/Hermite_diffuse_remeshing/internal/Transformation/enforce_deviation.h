@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -74,11 +75,12 @@ bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviation
 
 // Lowers sizes where faces deviate too much, and adapts and measures again what that changes, until no face
 // deviates too much, or until it does not help: the number of the faces that do must fall to a new low
-// at least every second time. Where it does not, the bound cannot be met (protected edges, the
+// at least every third time. Where it does not, the bound cannot be met (protected edges, the
 // smallest size), and finer faces would only be more faces.
 template <typename UserMesh>
 Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& sizes, Remesher<UserMesh>& remesher,
-                                       const double maximum_deviation, Stop_reason& stop_reason)
+                                       const double maximum_deviation, Stop_reason& stop_reason,
+                                       std::size_t& number_of_rounds)
 {
   constexpr int maximum_number_of_rounds = 20, patience = 3;
   // Edges may be longer than their size by the band in which they are left alone, the square root of two.
@@ -89,8 +91,8 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   Deviation_meter<UserMesh> meter(mesh, maximum_deviation);
   meter.measure();
   std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
-  int rounds_without_gain = 0, round = 0;
-  for(; round < maximum_number_of_rounds; ++round)
+  int rounds_without_gain = 0;
+  for(int round = 0; round < maximum_number_of_rounds; ++round)
   {
     const Deviations<UserMesh>& deviations = meter.deviations();
     const std::size_t number = std::count_if(deviations.faces.begin(), deviations.faces.end(),
@@ -104,8 +106,9 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
       break;
     stop_reason = remesher.optimise(remesher.adapt_again(since), since);
     meter.update(since);
+    ++number_of_rounds;
   }
-  if(round > 0)
+  if(number_of_rounds > 0)
     meter.measure();
   return meter.deviations();
 }
