@@ -187,11 +187,17 @@ public:
 
   Projection project(const Vector& p, const int hint, const double tolerance = 1e-6) const
   {
+    return project_from(p, walk(p, hint), tolerance);
+  }
+
+  // same, with a start for Newton's method
+  Projection project_from(const Vector& p, const Location& start, const double tolerance) const
+  {
     constexpr int maximum_number_of_steps = 30;
     // a step far below the tolerance; one just below it may still be the one that reaches it
     constexpr double stall = 1e-3;
     Projection best;
-    best.location = walk(p, hint);
+    best.location = start;
     best.quadric = m_surface.evaluate(best.location);
     double best_residual = tangential_residual(best.quadric, p);
     Projection current = best;

@@ -89,8 +89,9 @@ class Reference_surface
   Model_options m_options;
   std::vector<Local_quadric> m_quadrics;              // of the faces, if they are solved at centroids
 
-  // slopes of a normal that lies nearly in the plane of the frame carry no information
-  static constexpr double least_cosine = 0.2;
+  // Slopes of a normal that lies nearly in the plane of the frame carry no information. The frame turns with
+  // the query, so they fade: a node that came in or went out at once would break the surface.
+  static constexpr double least_cosine = 0.2, trusted_cosine = 0.5;
   static constexpr double ridge = 1e-9;
 
 public:
@@ -148,6 +149,12 @@ public:
   }
 
 private:
+  static double trust(const double cosine)
+  {
+    const double u = (std::min)(1., (cosine - least_cosine) / (trusted_cosine - least_cosine));
+    return u * u * (3. - 2. * u);
+  }
+
   Local_quadric solve(const Location& location) const
   {
     Local_quadric result;
@@ -156,9 +163,11 @@ private:
     result.x_axis = any_normal(result.z_axis);
     result.y_axis = result.z_axis.cross(result.x_axis);
 
-    double weight = 0., size = 0., cubic_ridge = 0.;
+    double weight = 0., size = 0., cubic_ridge = 0., between_singular = 0.;
     for(int k = 0; k < 3; ++k)
     {
+      if(node(location.face, k).is_singular && node(location.face, next(k)).is_singular)
+        between_singular += location.coordinates[k] * location.coordinates[next(k)];
       const Node& corner = node(location.face, k);
       cubic_ridge += location.coordinates[k] * corner.cubic_ridge;
       if(corner.is_singular)
@@ -176,6 +185,11 @@ private:
       case 4:  fit<4>(location, cubic_ridge, result); break;
       default: fit<3>(location, cubic_ridge, result); break;
     }
+    // An edge between two apices is straight, as no normal is known there. The fit beside it is led to it: this
+    // factor is zero on that edge and one on the two others.
+    if(between_singular > 0.)
+      for(double& a : result.a)
+        a *= weight / (weight + between_singular);
     return result;
   }
 
@@ -198,7 +212,7 @@ private:
       const double nz = node.normal.dot(result.z_axis);
       if(nz > least_cosine)
         polynomial.add_position_and_slopes(x, y, z, (1. - t) * omega, -node.normal.dot(result.x_axis) / nz,
-                                           -node.normal.dot(result.y_axis) / nz, t * omega);
+                                           -node.normal.dot(result.y_axis) / nz, t * omega * trust(nz));
       else
         polynomial.add_position(x, y, z, (1. - t) * omega);
     }
