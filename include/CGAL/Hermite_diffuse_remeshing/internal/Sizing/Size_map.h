@@ -416,7 +416,7 @@ private:
       if(m_cells.is_leaf(c))
         leaves.push_back(m_cells[c].samples);
     limit_gradation(leaves, [this](const int i) -> const Vector& { return m_samples[i].position; },
-                    slope_of_gradation(m_sources.options().gradation), m_sizes);
+                    slope_of_gradation(m_sources.options().gradation), m_sizes, m_progress);
   }
 };
 
