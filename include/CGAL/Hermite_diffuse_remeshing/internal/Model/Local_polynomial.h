@@ -9,7 +9,11 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 
+#include <Eigen/QR>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -189,6 +193,37 @@ public:
       for(int i = first; i < k; ++i)
         x[i] -= a[k][i] * x[k];
     return smallest_pivot;
+  }
+
+  // The same for positions alone, the rows x, y, z, weight, by orthogonal transformations: several times
+  // slower, but a pivot that is zero comes out as the square of a rounding error, where the normal
+  // equations can make 1e-6 of it.
+  double solve_by_orthogonalization(const Eigen::Matrix<double, Eigen::Dynamic, 4>& positions, const int first)
+  {
+    const Eigen::Index n = positions.rows();
+    const int number_of_unknowns = size - first;
+    Eigen::MatrixXd matrix(n, number_of_unknowns);
+    Eigen::VectorXd rhs(n);
+    for(Eigen::Index i = 0; i < n; ++i)
+    {
+      const Monomials m = monomials(positions(i, 0), positions(i, 1));
+      const double root = std::sqrt(positions(i, 3));
+      for(int j = 0; j < number_of_unknowns; ++j)
+        matrix(i, j) = root * m[first + j];
+      rhs[i] = root * positions(i, 2);
+    }
+    const Eigen::VectorXd scale = matrix.colwise().norm();
+    if(n < number_of_unknowns || !(scale.minCoeff() > 0.))
+      return 0.;
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix * scale.cwiseInverse().asDiagonal());
+    const double least = qr.matrixQR().diagonal().cwiseAbs().minCoeff();
+    if(!(least > 0.))
+      return 0.;
+    const Eigen::VectorXd solution = qr.solve(rhs);
+    m_coefficients.fill(0.);
+    for(int j = 0; j < number_of_unknowns; ++j)
+      m_coefficients[first + j] = solution[j] / scale[j];
+    return least * least;
   }
 
   double operator[](const int i) const { return m_coefficients[i]; }

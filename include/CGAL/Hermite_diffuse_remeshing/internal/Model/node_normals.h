@@ -136,10 +136,14 @@ private:
       const Eigen::Vector2d u = spread.equalized(x);
       polynomial.add_position(u[0], u[1], x[2], 1. / (x.squaredNorm() + weight_floor));
     }
-    // Of the matrix scaled to a unit diagonal. Where the positions lie on few lines, such as the two rows of
-    // a cylinder meshed with one strip, the least pivot is a rounding error. The one-sided neighbourhoods of
-    // borders go down to 1e-5. In between the confidence changes with the order of magnitude.
-    const double pivot = polynomial.solve(1);
+    // Of the matrix scaled to a unit diagonal. Where the positions lie on few lines, such as the rows of a
+    // structured mesh, the least pivot is zero; the one-sided neighbourhoods of borders go down to 1e-5. In
+    // between the confidence changes with the order of magnitude. Rounding must not decide: below 1e-4
+    // the pivots of the normal equations are not known well enough.
+    double pivot = polynomial.solve(1);
+    constexpr double least_known_pivot = 1e-4;
+    if(pivot < least_known_pivot)
+      pivot = polynomial.solve_by_orthogonalization(positions(frame, spread), 1);
     const double is_determined = pivot > 0. ? ramp(std::log10(pivot), -7., -5.) : 0.;
     if(!(is_determined > 0.))
       return share;
@@ -152,6 +156,19 @@ private:
     if(Degree == 4)
       result.signal_over_noise = part * signal_over_noise(frame, spread, polynomial);
     return share - part;
+  }
+
+  // x, y, z, weight of the neighbours
+  Eigen::Matrix<double, Eigen::Dynamic, 4> positions(const Node_frame& frame, const Spread& spread) const
+  {
+    Eigen::Matrix<double, Eigen::Dynamic, 4> result(m_neighborhood.size(), 4);
+    for(int i = 0; i < m_neighborhood.size(); ++i)
+    {
+      const Vector x = frame.local(m_nodes[m_neighborhood.neighbors()[i]].position);
+      const Eigen::Vector2d u = spread.equalized(x);
+      result.row(i) << u[0], u[1], x[2], 1. / (x.squaredNorm() + weight_floor);
+    }
+    return result;
   }
 
   // How far the terms of order four stand out from the residuals, at most 10. Measured on irregular meshes of
