@@ -36,15 +36,18 @@ public:
     const Node& center = m_surface.node(node);
     if(center.is_singular || !center.has_normal())
       return evaluated(node);
-    m_neighborhood.collect(node, m_surface.cut_mesh().is_open(node) ? 3 : 2);
+    const bool is_open = m_surface.cut_mesh().is_open(node);
+    m_neighborhood.collect(node, is_open ? 3 : 2);
     const Node_frame frame(center.position, center.normal,
                            m_surface.node(*m_surface.cut_mesh().ring(node).begin()).position, center.size);
+    // in one-sided neighbourhoods terms of odd orders do not cancel, and are worse than those of even ones
+    const double combined_share = is_open ? 0. : center.combined_share;
     Monge_form result;
     constexpr int least_number_for_quartic = 8;
     const bool is_smooth = m_surface.options().normals == SMOOTH_NORMALS;
-    if(!is_smooth && m_neighborhood.size() >= least_number_for_quartic && fit<4>(frame, center.combined_share, result))
+    if(!is_smooth && m_neighborhood.size() >= least_number_for_quartic && fit<4>(frame, combined_share, result))
       return result;
-    if(fit<3>(frame, center.combined_share, result))
+    if(fit<3>(frame, combined_share, result))
       return result;
     return evaluated(node);
   }
