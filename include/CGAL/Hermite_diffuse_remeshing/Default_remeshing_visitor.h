@@ -51,6 +51,8 @@ struct Default_remeshing_visitor
   void after_edge_collapse(vertex_descriptor /* the vertex that stays */) {}
   void before_edge_flip(edge_descriptor) {}
   void after_edge_flip(edge_descriptor) {}
+  void before_vertex_removal(vertex_descriptor) {}
+  void after_vertex_removal() {}
   void after_vertex_relocation(vertex_descriptor) {}
   /// @}
 };

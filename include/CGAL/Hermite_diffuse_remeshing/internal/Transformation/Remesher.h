@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/collapse_short_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/raise_worst_faces.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
@@ -31,20 +32,18 @@ class Remesher
   int m_maximum_number_of_iterations;
   int m_number_of_iterations = 0;
   // changes of the mesh when an operator last began
-  std::size_t m_flipped_at = 0, m_balanced_at = 0, m_improved_at = 0, m_hinted_at = 0, m_cleaned_at = 0;
+  std::size_t m_flipped_at = 0, m_balanced_at = 0, m_improved_at = 0, m_hinted_at = 0, m_hunted_at = 0;
 
   // Edges between 1/band and band times their size are left alone. The paper's factor 2 comes first,
   // because the longest and shortest edges shape the rest; then sqrt(2), the tightest band in which
   // the halves of a split edge are not short again; then slowly wider ones, so that the few edges
   // that would be split and collapsed in turn come to rest.
-  static constexpr double widest_band = 2., tightest_band = 1.4142135623730951, widening = 1.04;
+  static constexpr double widest_band = 2., tightest_band = 1.25, widening = 1.04;
   static constexpr int number_of_tight_passes = 3;
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
   static constexpr double negligible_part = 5e-4;
   // triangles with a better score are not worth a search
-  static constexpr double satisfying_score = 0.7;
-  // triangles with a worse one may be removed, whatever the size
-  static constexpr double bad_score = 0.3;
+  static constexpr double satisfying_score = 0.6;
   static constexpr int maximum_number_of_optimisation_passes = 20;
 
 public:
@@ -116,8 +115,6 @@ public:
     {
       std::size_t changes =
         since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_SCORE, since); });
-      changes += since_last(m_cleaned_at, [&](const std::size_t since)
-                            { return collapse_bad_faces(m_mesh, bad_score, since); });
       changes += since_last(m_improved_at, [&](const std::size_t since)
                             { return improve_vertices(m_mesh, since); });
       update_hints();
@@ -127,7 +124,10 @@ public:
       if(changes <= negligible_part * m_mesh.number_of_faces())
         break;
     }
-    return reason;
+    since_last(m_hunted_at, [&](const std::size_t since)
+               { return Worst_face_hunt<UserMesh>(m_mesh, satisfying_score).run(since); });
+    update_hints();
+    return m_mesh.is_stopped() ? STOPPED_BY_VISITOR : reason;
   }
 };
 

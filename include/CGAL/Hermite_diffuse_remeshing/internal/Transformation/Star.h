@@ -33,13 +33,20 @@ class Star
     int hint;
   };
 
+public:
+  // What relocation makes small: a sum over the triangles of a power of what misses to the score 1. The
+  // square makes the good ones better too; a high power looks at the worst alone.
+  enum Objective { MEAN, WORST };
+
+private:
   const Reference& m_reference;
+  Objective m_objective;
   boost::container::small_vector<Triangle, 16> m_triangles;
   const Site* m_first = nullptr;        // the neighbour with the smallest number: turns with the input
   int m_first_index = (std::numeric_limits<int>::max)();
 
 public:
-  explicit Star(const Reference& reference) : m_reference(reference) {}
+  Star(const Reference& reference, const Objective objective) : m_reference(reference), m_objective(objective) {}
 
   // adds the remeshed faces around v, without those that have the vertex `skipped`
   template <typename UserMesh>
@@ -50,21 +57,23 @@ public:
     const auto& tm = mesh.tmesh();
     for(const auto h : CGAL::halfedges_around_target(v, tm))
     {
-      const auto s = source(h, tm);
-      if(s != skipped && mesh.index(s) < m_first_index)
-      {
-        m_first_index = mesh.index(s);
-        m_first = &mesh.data(s).site;
-      }
-      if(mesh.is_border_or_outside(h))
-        continue;
-      const auto t = target(next(h, tm), tm);
-      if(s != skipped && t != skipped)
-        m_triangles.push_back({&mesh.data(t).site, &mesh.data(s).site, mesh.hint(h)});
+      if(source(h, tm) != skipped)
+        look_at(mesh, source(h, tm));
+      if(!mesh.is_border_or_outside(h) && source(h, tm) != skipped && target(next(h, tm), tm) != skipped)
+        add_side(mesh.site(target(next(h, tm), tm)), mesh.site(source(h, tm)), mesh.hint(h));
     }
   }
 
-  bool empty() const { return m_triangles.empty(); }
+  // adds a triangle to the left of a halfedge
+  template <typename UserMesh>
+  void add_side(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+  {
+    look_at(mesh, source(h, mesh.tmesh()));
+    look_at(mesh, target(h, mesh.tmesh()));
+    add_side(mesh.site(source(h, mesh.tmesh())), mesh.site(target(h, mesh.tmesh())), mesh.hint(h));
+  }
+
+  void add_side(const Site& from, const Site& to, const int hint) { m_triangles.push_back({&from, &to, hint}); }
 
   Worth worth(const Site& site) const
   {
@@ -74,8 +83,6 @@ public:
     return result;
   }
 
-  // What relocation makes small: a sum over the triangles of a power of what misses to the score 1. The
-  // power makes the bad ones count most; the sum makes the good ones count at all.
   struct Badness
   {
     double sum = 0., worst_score = 1.;
@@ -88,7 +95,8 @@ public:
     {
       const double score = internal::worth(m_reference, site, *t.from, *t.to, t.hint).score;
       result.worst_score = (std::min)(result.worst_score, score);
-      result.sum += CGAL::square(1. - score) * (1. - score);
+      const double miss = CGAL::square(1. - score);
+      result.sum += m_objective == MEAN ? miss : CGAL::square(CGAL::square(miss));
     }
     return result;
   }
@@ -111,6 +119,8 @@ public:
     constexpr int number_of_directions = 8;
     // of the radius: the last is small enough to settle near the optimum
     constexpr double first_step = 0.2, last_step = 0.02;
+    // sums closer than this are the same
+    constexpr double least_decrease = 1. - score_margin;
     const double radius = this->radius(start);
     Site best = start;
     Badness least = badness(start);
@@ -124,7 +134,7 @@ public:
         candidate.point = center.point + step * radius * (std::cos(angle) * frame.x_axis
                                                           + std::sin(angle) * frame.y_axis);
         const Badness b = badness(candidate);
-        if(b.sum < least.sum - score_margin && b.worst_score >= least.worst_score)
+        if(b.sum < least_decrease * least.sum && b.worst_score >= least.worst_score)
         {
           least = b;
           best = candidate;
@@ -134,6 +144,16 @@ public:
         step /= 2.;
     }
     return best.point == start.point ? start : m_reference.surface_site(best.point, start.location.face);
+  }
+
+private:
+  template <typename UserMesh>
+  void look_at(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v)
+  {
+    if(mesh.index(v) >= m_first_index)
+      return;
+    m_first_index = mesh.index(v);
+    m_first = &mesh.data(v).site;
   }
 };
 

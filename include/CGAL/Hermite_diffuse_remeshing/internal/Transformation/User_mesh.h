@@ -17,12 +17,13 @@ namespace internal {
 
 // What the user handed in.
 template <typename TriangleMesh_, typename VertexPointMap, typename EdgeIsConstrainedMap,
-          typename FacePatchMap, typename GeomTraits_, typename Visitor_>
+          typename FacePatchMap_, typename GeomTraits_, typename Visitor_>
 struct User_mesh
 {
   typedef TriangleMesh_ TriangleMesh;
   typedef GeomTraits_ GeomTraits;
   typedef Visitor_ Visitor;
+  typedef FacePatchMap_ FacePatchMap;
 
   TriangleMesh& tmesh;
   VertexPointMap points;
@@ -34,7 +35,7 @@ struct User_mesh
 
 struct Operation_counts
 {
-  std::size_t splits = 0, collapses = 0, flips = 0, relocations = 0;
+  std::size_t splits = 0, collapses = 0, flips = 0, vertex_removals = 0, relocations = 0;
 };
 
 } // namespace internal

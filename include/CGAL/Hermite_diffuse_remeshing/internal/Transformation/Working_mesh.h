@@ -9,16 +9,11 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/property_map.h>
 
-#include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -26,179 +21,62 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// The one gate to the user's mesh: every Euler operation, every change of a point, of a
-// constraint or of a patch label, and every call of the visitor is made here. Vertices and faces
-// carry numbers that do not depend on descriptors, so that an order by them is the same for
-// every type of mesh.
+// The one gate to the user's mesh: every Euler operation, every change of a point, of a constraint or of
+// a patch label, and every call of the visitor is made here.
 template <typename UserMesh>
-class Working_mesh
+class Working_mesh : public Mesh_elements<UserMesh>
 {
-public:
-  typedef typename UserMesh::TriangleMesh TriangleMesh;
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef Mesh_elements<UserMesh> Base;
+  typedef typename Base::Edge Edge;
 
-  struct Vertex
-  {
-    Site site;
-    Vertex_class type = SURFACE_VERTEX;
-    int reference_vertex = -1;          // of a vertex that is still at its place in the input
-    bool is_frozen = false;
-    std::size_t change = 0;             // the last change of the faces around it
-  };
+public:
+  typedef typename Base::TriangleMesh TriangleMesh;
+  typedef typename Base::Graph_traits Graph_traits;
+  typedef typename Base::Vertex Vertex;
+  typedef typename Base::vertex_descriptor vertex_descriptor;
+  typedef typename Base::halfedge_descriptor halfedge_descriptor;
+  typedef typename Base::edge_descriptor edge_descriptor;
+  typedef typename Base::face_descriptor face_descriptor;
+  typedef std::vector<std::pair<vertex_descriptor, vertex_descriptor> > Diagonals;
 
 private:
-  struct Edge
-  {
-    int curve = -1;                     // -1: interior
-    bool is_protected = false;
-    bool is_constrained = false;        // in the user's map
-  };
+  using Base::m_user;
+  using Base::m_reference;
+  using Base::m_vertex_index;
+  using Base::m_edge;
+  using Base::m_hint;
+  using Base::m_vertices;
+  using Base::m_number_of_faces;
+  using Base::m_number_of_changes;
 
-  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int> >::type Vertex_index_map;
-  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<Edge> >::type Edge_map;
-  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::type Face_hint_map;
-
-  UserMesh m_user;
-  const Reference& m_reference;
-  Vertex_index_map m_vertex_index;
-  Edge_map m_edge;
-  Face_hint_map m_hint;                 // a face of the reference near the face; -1: not to be remeshed
-  std::vector<Vertex> m_vertices;
-  std::vector<int> m_free_vertices;
-  std::vector<char> m_is_reference_face_remeshed;
-  std::size_t m_number_of_faces = 0;    // that are remeshed
   std::size_t m_maximum_number_of_faces;
-  std::size_t m_number_of_changes = 0;
   Operation_counts m_counts;
   bool m_is_stopped = false;
 
 public:
-  // `faces_of_reference[i]` is the face of the mesh that became face i of the reference;
-  // `is_remeshed[i]` selects the part to work on.
+  using Base::tmesh;
+  using Base::index;
+  using Base::point;
+  using Base::hint;
+  using Base::is_remeshed;
+  using Base::has_changed;
+  using Base::touch_around;
+  using Base::touch_quadrangle;
+  using Base::add_vertex;
+  using Base::free_vertex;
+  using Base::set_edge;
+
   template <typename IsFrozen>
   Working_mesh(const UserMesh& user, const Reference& reference,
                const std::vector<face_descriptor>& faces_of_reference,
                const std::vector<char>& is_remeshed,
                const IsFrozen& is_edge_frozen,
                const std::size_t maximum_number_of_faces)
-    : m_user(user), m_reference(reference)
-    , m_vertex_index(get(CGAL::dynamic_vertex_property_t<int>(), user.tmesh))
-    , m_edge(get(CGAL::dynamic_edge_property_t<Edge>(), user.tmesh))
-    , m_hint(get(CGAL::dynamic_face_property_t<int>(), user.tmesh))
-    , m_is_reference_face_remeshed(is_remeshed)
+    : Base(user, reference, faces_of_reference, is_remeshed, is_edge_frozen)
     , m_maximum_number_of_faces(maximum_number_of_faces)
-  {
-    for(const vertex_descriptor v : vertices(user.tmesh))
-      put(m_vertex_index, v, -1);
-    for(const edge_descriptor e : edges(user.tmesh))
-      put(m_edge, e, Edge());
+  {}
 
-    const Indexed_triangles& triangles = reference.surface.triangles();
-    std::vector<int> index_of_vertex(triangles.number_of_vertices(), -1);
-    for(int f = 0; f < triangles.number_of_faces(); ++f)
-    {
-      put(m_hint, faces_of_reference[f], is_remeshed[f] ? f : -1);
-      m_number_of_faces += is_remeshed[f];
-      halfedge_descriptor h = halfedge(faces_of_reference[f], user.tmesh);
-      for(int k = 0; k < 3; ++k, h = next(h, user.tmesh))
-      {
-        const int v = triangles.triangles[f][k];
-        if(index_of_vertex[v] == -1)
-          index_of_vertex[v] = make_initial_vertex(f, k);
-        put(m_vertex_index, source(h, user.tmesh), index_of_vertex[v]);
-        make_initial_edge(edge(h, user.tmesh), reference.edges.edge(f, k), is_edge_frozen(h));
-      }
-    }
-    for(std::size_t c = 0; c < reference.curves.curves.size(); ++c)
-    {
-      const Feature_curve& curve = reference.curves.curves[c];
-      for(std::size_t i = 1; i + 1 < curve.vertices.size(); ++i)
-        m_vertices[index_of_vertex[curve.vertices[i]]].site =
-          reference.curve_site(static_cast<int>(c), curve.spline.parameter(static_cast<int>(i)));
-    }
-    freeze_seam_and_protected_edges();
-  }
-
-  const Reference& reference() const { return m_reference; }
-  const TriangleMesh& tmesh() const { return m_user.tmesh; }
   const Operation_counts& counts() const { return m_counts; }
-  std::size_t number_of_faces() const { return m_number_of_faces; }
-
-  // \name Data of the elements
-  int index(const vertex_descriptor v) const { return get(m_vertex_index, v); }
-  const Vertex& data(const vertex_descriptor v) const { return m_vertices[index(v)]; }
-  const Site& site(const vertex_descriptor v) const { return data(v).site; }
-  const Vector& point(const vertex_descriptor v) const { return data(v).site.point; }
-  double size(const vertex_descriptor v) const { return data(v).site.size; }
-  bool is_frozen(const vertex_descriptor v) const { return data(v).is_frozen; }
-  bool is_fixed(const vertex_descriptor v) const { return data(v).is_frozen || is_corner(data(v).type); }
-
-  int curve(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).curve; }
-  bool is_on_curve(const halfedge_descriptor h) const { return curve(h) != -1; }
-  bool is_protected(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).is_protected; }
-
-  bool is_border_or_outside(const halfedge_descriptor h) const
-  {
-    return CGAL::is_border(h, tmesh()) || get(m_hint, face(h, tmesh())) == -1;
-  }
-  bool is_remeshed(const face_descriptor f) const { return get(m_hint, f) != -1; }
-  int hint(const halfedge_descriptor h) const { return get(m_hint, face(h, tmesh())); }
-  int hint(const face_descriptor f) const { return get(m_hint, f); }
-
-  bool is_inside(const edge_descriptor e) const
-  {
-    const halfedge_descriptor h = halfedge(e, tmesh());
-    return !is_border_or_outside(h) || !is_border_or_outside(opposite(h, tmesh()));
-  }
-
-  double length(const halfedge_descriptor h) const
-  {
-    return (point(target(h, tmesh())) - point(source(h, tmesh()))).norm();
-  }
-  // length over the size asked for, which is linear along an edge: its mean is taken
-  double relative_length(const halfedge_descriptor h) const
-  {
-    return 2. * length(h) / (size(source(h, tmesh())) + size(target(h, tmesh())));
-  }
-
-  // numbers of the ends, smaller first: an order of the edges that is the same for every mesh type
-  std::pair<int, int> edge_key(const halfedge_descriptor h) const
-  {
-    const int s = index(source(h, tmesh())), t = index(target(h, tmesh()));
-    return s < t ? std::make_pair(s, t) : std::make_pair(t, s);
-  }
-
-  // an upper bound of the numbers of the vertices
-  std::size_t number_of_vertex_slots() const { return m_vertices.size(); }
-
-  bool is_reference_face_remeshed(const int f) const { return m_is_reference_face_remeshed[f]; }
-
-  // parameter of a vertex on a curve that it lies on
-  double parameter(const vertex_descriptor v, const int curve) const
-  {
-    const Vertex& vertex = data(v);
-    return vertex.site.curve == curve ? vertex.site.parameter
-                                      : m_reference.end_parameter(curve, vertex.reference_vertex);
-  }
-
-  // \name Changes
-  // Changes are numbered. An operator that remembers how many there were when it began its last pass
-  // needs to look only at what has changed since.
-  std::size_t number_of_changes() const { return m_number_of_changes; }
-  bool has_changed(const vertex_descriptor v, const std::size_t since) const { return data(v).change > since; }
-  bool has_changed(const halfedge_descriptor h, const std::size_t since) const
-  {
-    return has_changed(source(h, tmesh()), since) || has_changed(target(h, tmesh()), since);
-  }
-  bool has_changed(const face_descriptor f, const std::size_t since) const
-  {
-    const halfedge_descriptor h = halfedge(f, tmesh());
-    return has_changed(h, since) || has_changed(target(next(h, tmesh()), tmesh()), since);
-  }
 
   // \name Control
   bool is_stopped()
@@ -226,14 +104,14 @@ public:
     const vertex_descriptor v = target(h_new, tm);
     set_edge(edge(h_new, tm), edge_data);
     if(!CGAL::is_border(h, tm))
-      split_quadrangle(h_new, next(h, tm));
+      split_face(h_new, next(h, tm), face_data(face(h, tm)));
     if(!CGAL::is_border(o, tm))
-      split_quadrangle(o, next(opposite(h_new, tm), tm));
+      split_face(o, next(opposite(h_new, tm), tm), face_data(face(o, tm)));
 
     Vertex vertex;
     vertex.site = site;
     vertex.type = edge_data.curve == -1 ? SURFACE_VERTEX : CURVE_VERTEX;
-    put(m_vertex_index, v, add_vertex(vertex));
+    add_vertex(v, vertex);
     put_point(v, site.point);
     touch_around(v);
     ++m_counts.splits;
@@ -265,8 +143,9 @@ public:
     const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
     for(const Kept_edge& e : kept_edges)
       set_edge(edge(v, e.end, tm).first, e.data);
+    free_vertex(removed);
     put(m_vertex_index, v, kept);
-    m_free_vertices.push_back(removed);
+    m_vertices[kept].descriptor = v;
     m_vertices[kept].site = site;
     put_point(v, site.point);
     touch_around(v);
@@ -292,6 +171,37 @@ public:
     touch_around(v);
     ++m_counts.relocations;
     m_user.visitor.after_vertex_relocation(v);
+  }
+
+  // removes a vertex inside the surface and fills the polygon around it with diagonals
+  void remove_vertex(const vertex_descriptor v, const Diagonals& diagonals)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    m_user.visitor.before_vertex_removal(v);
+    const Face_data data = face_data(face(halfedge(v, tm), tm));
+    touch_around(v);
+    free_vertex(index(v));
+    m_number_of_faces -= degree(v, tm) - 1;
+    fill_polygon(CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm), diagonals, data);
+    ++m_counts.vertex_removals;
+    m_user.visitor.after_vertex_removal();
+  }
+
+  // Replaces edges at the target of h by other diagonals of the same polygon: those between the face of h
+  // and the faces that follow by opposite(next(h)).
+  void retriangulate_fan(const halfedge_descriptor h, const std::size_t number_of_edges, const Diagonals& diagonals)
+  {
+    TriangleMesh& tm = m_user.tmesh;
+    touch_around(target(h, tm));
+    const Face_data data = face_data(face(h, tm));
+    for(std::size_t i = 0; i < number_of_edges; ++i)
+    {
+      m_user.visitor.before_edge_flip(edge(next(h, tm), tm));
+      CGAL::Euler::join_face(next(h, tm), tm);
+      --m_number_of_faces;
+      ++m_counts.flips;
+    }
+    fill_polygon(h, diagonals, data);
   }
 
   // the size map has changed
@@ -322,103 +232,57 @@ public:
   }
 
 private:
-  void touch(const vertex_descriptor v) { m_vertices[index(v)].change = m_number_of_changes; }
-
-  void touch_around(const vertex_descriptor v)
+  // what new faces inherit from the one whose place they take
+  struct Face_data
   {
-    ++m_number_of_changes;
-    touch(v);
-    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-      touch(source(h, tmesh()));
+    int hint;
+    typename boost::property_traits<typename UserMesh::FacePatchMap>::value_type patch;
+  };
+
+  Face_data face_data(const face_descriptor f) const { return {get(m_hint, f), get(m_user.face_patch, f)}; }
+
+  void set_face_data(const face_descriptor f, const Face_data& data)
+  {
+    put(m_hint, f, data.hint);
+    put(m_user.face_patch, f, data.patch);
   }
 
-  // the two faces of an edge
-  void touch_quadrangle(const halfedge_descriptor h)
-  {
-    ++m_number_of_changes;
-    for(const halfedge_descriptor side : {h, opposite(h, tmesh())})
-    {
-      touch(target(side, tmesh()));
-      touch(target(next(side, tmesh()), tmesh()));
-    }
-  }
-
-  int make_initial_vertex(const int face, const int corner)
-  {
-    const int v = m_reference.surface.triangles().triangles[face][corner];
-    Vertex vertex;
-    vertex.site = m_reference.vertex_site(face, corner);
-    vertex.type = m_reference.vertex_classes[v];
-    if(vertex.type == SURFACE_VERTEX)
-      vertex.site.normal = m_reference.surface.blended_normal(vertex.site.location);
-    vertex.reference_vertex = v;
-    vertex.change = m_number_of_changes = 1;
-    return add_vertex(vertex);
-  }
-
-  int add_vertex(const Vertex& vertex)
-  {
-    if(m_free_vertices.empty())
-    {
-      m_vertices.push_back(vertex);
-      return static_cast<int>(m_vertices.size()) - 1;
-    }
-    const int i = m_free_vertices.back();
-    m_free_vertices.pop_back();
-    m_vertices[i] = vertex;
-    return i;
-  }
-
-  void make_initial_edge(const edge_descriptor e, const int reference_edge, const bool is_frozen)
-  {
-    Edge data;
-    data.curve = m_reference.curves.curve_of_edge[reference_edge];
-    data.is_constrained = get(m_user.edge_is_constrained, e);
-    data.is_protected = is_frozen;
-    put(m_edge, e, data);
-  }
-
-  // the edges between the part that is remeshed and the rest, and those that the user protects
-  void freeze_seam_and_protected_edges()
-  {
-    for(const edge_descriptor e : edges(tmesh()))
-    {
-      const halfedge_descriptor h = halfedge(e, tmesh());
-      const halfedge_descriptor o = opposite(h, tmesh());
-      Edge data = get(m_edge, e);
-      const bool is_seam = is_border_or_outside(h) != is_border_or_outside(o)
-                        && !CGAL::is_border(h, tmesh()) && !CGAL::is_border(o, tmesh());
-      if(!is_seam && !data.is_protected)
-        continue;
-      data.is_protected = true;
-      put(m_edge, e, data);
-      m_vertices[index(source(h, tmesh()))].is_frozen = true;
-      m_vertices[index(target(h, tmesh()))].is_frozen = true;
-    }
-  }
-
-  void set_edge(const edge_descriptor e, const Edge& data)
-  {
-    put(m_edge, e, data);
-    if(get(m_user.edge_is_constrained, e) != data.is_constrained)
-      put(m_user.edge_is_constrained, e, data.is_constrained);
-  }
-
-  // joins the targets of two halfedges of one face; both parts inherit what the face knew
-  void split_quadrangle(const halfedge_descriptor h, const halfedge_descriptor g)
+  // joins the targets of two halfedges of one face
+  halfedge_descriptor split_face(const halfedge_descriptor h, const halfedge_descriptor g, const Face_data& data)
   {
     TriangleMesh& tm = m_user.tmesh;
-    const face_descriptor f = face(h, tm);
-    const int hint = get(m_hint, f);
-    const auto patch = get(m_user.face_patch, f);
     const halfedge_descriptor diagonal = CGAL::Euler::split_face(h, g, tm);
     set_edge(edge(diagonal, tm), Edge());
-    for(const halfedge_descriptor d : {diagonal, opposite(diagonal, tm)})
-    {
-      put(m_hint, face(d, tm), hint);
-      put(m_user.face_patch, face(d, tm), patch);
-    }
+    set_face_data(face(diagonal, tm), data);
+    set_face_data(face(opposite(diagonal, tm), tm), data);
     ++m_number_of_faces;
+    return diagonal;
+  }
+
+  // splits the face of h into triangles
+  void fill_polygon(const halfedge_descriptor h, const Diagonals& diagonals, const Face_data& data)
+  {
+    const TriangleMesh& tm = tmesh();
+    set_face_data(face(h, tm), data);
+    std::vector<halfedge_descriptor> parts(1, h);       // a halfedge of every part so far
+    for(const std::pair<vertex_descriptor, vertex_descriptor>& ends : diagonals)
+      for(const halfedge_descriptor part : parts)
+      {
+        halfedge_descriptor to_first = Graph_traits::null_halfedge(), to_second = to_first;
+        for(const halfedge_descriptor g : CGAL::halfedges_around_face(part, tm))
+        {
+          if(target(g, tm) == ends.first)
+            to_first = g;
+          if(target(g, tm) == ends.second)
+            to_second = g;
+        }
+        if(to_first == Graph_traits::null_halfedge() || to_second == Graph_traits::null_halfedge())
+          continue;
+        const halfedge_descriptor diagonal = split_face(to_first, to_second, data);
+        parts.push_back(opposite(diagonal, tm));
+        parts.push_back(diagonal);
+        break;
+      }
   }
 
   void put_point(const vertex_descriptor v, const Vector& p)

@@ -43,13 +43,11 @@ bool is_collapse_topologically_legal(const Working_mesh<UserMesh>& mesh,
   return CGAL::Euler::does_satisfy_link_condition(edge(h, tm), tm);
 }
 
-// No edge at the vertex that a collapse leaves may be longer than `longest_length` times its size, and the
-// worst score around it must be acceptable.
-template <typename UserMesh, typename IsWorthAcceptable>
-bool is_collapse_geometrically_legal(const Working_mesh<UserMesh>& mesh,
-                                     const typename Working_mesh<UserMesh>::halfedge_descriptor h,
-                                     const Star& star, const Site& site, const double longest_length,
-                                     const IsWorthAcceptable& is_acceptable)
+// no edge may become longer than `longest_length` times its size
+template <typename UserMesh>
+bool are_lengths_acceptable_after_collapse(const Working_mesh<UserMesh>& mesh,
+                                           const typename Working_mesh<UserMesh>::halfedge_descriptor h,
+                                           const Site& site, const double longest_length)
 {
   const auto& tm = mesh.tmesh();
   const auto s = source(h, tm), t = target(h, tm);
@@ -57,12 +55,10 @@ bool is_collapse_geometrically_legal(const Working_mesh<UserMesh>& mesh,
     for(const auto g : CGAL::halfedges_around_target(v, tm))
     {
       const auto w = source(g, tm);
-      if(w == s || w == t)
-        continue;
-      if((mesh.point(w) - site.point).norm() > longest_length * (mesh.size(w) + site.size) / 2.)
+      if(w != s && w != t && (mesh.point(w) - site.point).norm() > longest_length * (mesh.size(w) + site.size) / 2.)
         return false;
     }
-  return is_acceptable(star.worth(site));
+  return true;
 }
 
 // Places for the vertex that stays, best first.
@@ -87,11 +83,11 @@ bool collapse_if_legal(Working_mesh<UserMesh>& mesh,
   if(!is_collapse_topologically_legal(mesh, h))
     return false;
   const auto s = source(h, mesh.tmesh()), t = target(h, mesh.tmesh());
-  Star star(mesh.reference());
+  Star star(mesh.reference(), Star::MEAN);
   star.add(mesh, s, t);
   star.add(mesh, t, s);
   for(const Site& site : collapse_sites(mesh, h))
-    if(is_collapse_geometrically_legal(mesh, h, star, site, longest_length, is_acceptable))
+    if(are_lengths_acceptable_after_collapse(mesh, h, site, longest_length) && is_acceptable(star.worth(site)))
     {
       mesh.collapse_edge(h, site);
       return true;
@@ -152,23 +148,6 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
     [&](const halfedge_descriptor h) { return mesh.relative_length(h) < bound && !mesh.is_protected(h); },
     longest_length,
     [](const Worth& after, const Worth& before) { return is_score_acceptable(after.score, before.score, score_floor); });
-}
-
-// Collapses edges of any length at faces with a score below `bound`, where the worst score becomes better:
-// the way out of slivers that no flip and no move can improve.
-template <typename UserMesh>
-std::size_t collapse_bad_faces(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
-{
-  typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
-  // shape comes before size here, but not without limit
-  constexpr double longest_length = 2.;
-  const auto is_bad = [&](const halfedge_descriptor h)
-  { return !mesh.is_border_or_outside(h) && face_worth(mesh, h).score < bound; };
-  return collapse_edges(mesh,
-    [&](const halfedge_descriptor h)
-    { return mesh.has_changed(h, since) && !mesh.is_protected(h) && (is_bad(h) || is_bad(opposite(h, mesh.tmesh()))); },
-    longest_length,
-    [](const Worth& after, const Worth& before) { return is_better(after, before); });
 }
 
 } // namespace internal

@@ -100,22 +100,34 @@ int valence_gain(const Working_mesh<UserMesh>& mesh, const typename Working_mesh
   return gain;
 }
 
+// the two faces of an edge, now and with the other diagonal
+template <typename UserMesh>
+Worth worth_of_pair(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  Worth result = face_worth(mesh, h);
+  result.add(face_worth(mesh, opposite(h, mesh.tmesh())));
+  return result;
+}
+
+template <typename UserMesh>
+Worth worth_after_flip(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  const auto& tm = mesh.tmesh();
+  const auto o = opposite(h, tm);
+  const Site& c = mesh.site(target(next(h, tm), tm));
+  const Site& d = mesh.site(target(next(o, tm), tm));
+  Worth result = worth(mesh.reference(), mesh.site(source(h, tm)), d, c, mesh.hint(h));
+  result.add(worth(mesh.reference(), d, mesh.site(target(h, tm)), c, mesh.hint(o)));
+  return result;
+}
+
 template <typename UserMesh>
 bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h,
                    const Flip_criterion criterion)
 {
   if(!is_flip_topologically_legal(mesh, h))
     return false;
-  const auto& tm = mesh.tmesh();
-  const auto o = opposite(h, tm);
-  Worth before = face_worth(mesh, h);
-  before.add(face_worth(mesh, o));
-  const Site& a = mesh.site(source(h, tm));
-  const Site& b = mesh.site(target(h, tm));
-  const Site& c = mesh.site(target(next(h, tm), tm));
-  const Site& d = mesh.site(target(next(o, tm), tm));
-  Worth after = worth(mesh.reference(), a, d, c, mesh.hint(h));
-  after.add(worth(mesh.reference(), d, b, c, mesh.hint(o)));
+  const Worth before = worth_of_pair(mesh, h), after = worth_after_flip(mesh, h);
   if(criterion == BY_SCORE)
     return is_better(after, before);
   const int gain = valence_gain(mesh, h);

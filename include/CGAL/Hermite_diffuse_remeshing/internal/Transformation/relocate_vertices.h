@@ -90,7 +90,7 @@ std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
     constexpr double least_move = 0.02;
     if((site.point - old_site.point).norm() < least_move * old_site.size)
       continue;
-    Star star(mesh.reference());
+    Star star(mesh.reference(), Star::MEAN);
     star.add(mesh, v);
     // the centroid makes good triangles on the whole; a mild loss of the worst is allowed above this
     constexpr double good_score = 0.6;
@@ -121,7 +121,7 @@ Site better_site_on_curve(const Working_mesh<UserMesh>& mesh,
         continue;
       const Site candidate = reference.curve_site(best.curve, s);
       const Star::Badness b = star.badness(candidate);
-      if(b.sum < least.sum - score_margin && b.worst_score >= least.worst_score)
+      if(b.sum < (1. - score_margin) * least.sum && b.worst_score >= least.worst_score)
       {
         least = b;
         best = candidate;
@@ -131,6 +131,14 @@ Site better_site_on_curve(const Working_mesh<UserMesh>& mesh,
       step /= 2.;
   }
   return best;
+}
+
+// what relocation tries for a vertex; still to be compared
+template <typename UserMesh>
+Site better_site(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v,
+                 const Star& star)
+{
+  return mesh.data(v).type == CURVE_VERTEX ? better_site_on_curve(mesh, v, star) : star.better_site(mesh.site(v));
 }
 
 // Moves every vertex near which something has changed to where its triangles are best on the whole and
@@ -145,10 +153,10 @@ std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
   {
     if(mesh.is_stopped())
       break;
-    Star star(mesh.reference());
+    Star star(mesh.reference(), Star::MEAN);
     star.add(mesh, v);
     const Site& old_site = mesh.site(v);
-    const Site site = mesh.data(v).type == CURVE_VERTEX ? better_site_on_curve(mesh, v, star) : star.better_site(old_site);
+    const Site site = better_site(mesh, v, star);
     const Worth worth_before = star.worth(old_site), worth_after = star.worth(site);
     if(worth_after.score >= worth_before.score && worth_after.quality >= worth_before.quality
        && star.badness(site).sum < (1. - least_gain) * star.badness(old_site).sum)

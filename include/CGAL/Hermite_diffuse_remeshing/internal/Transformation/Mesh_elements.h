@@ -1,0 +1,302 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_ELEMENTS_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_ELEMENTS_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// What is known of the elements of the user's mesh while it is remeshed. Vertices carry numbers that do
+// not depend on descriptors, so that an order by them is the same for every type of mesh.
+template <typename UserMesh>
+class Mesh_elements
+{
+public:
+  typedef typename UserMesh::TriangleMesh TriangleMesh;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+
+  struct Vertex
+  {
+    Site site;
+    Vertex_class type = SURFACE_VERTEX;
+    int reference_vertex = -1;          // of a vertex that is still at its place in the input
+    bool is_frozen = false;
+    std::size_t change = 0;             // the last change of the faces around it
+    vertex_descriptor descriptor = Graph_traits::null_vertex();   // null: the number is free
+  };
+
+protected:
+  struct Edge
+  {
+    int curve = -1;                     // -1: interior
+    bool is_protected = false;
+    bool is_constrained = false;        // in the user's map
+  };
+
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<int> >::type Vertex_index_map;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<Edge> >::type Edge_map;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::type Face_hint_map;
+
+  UserMesh m_user;
+  const Reference& m_reference;
+  Vertex_index_map m_vertex_index;
+  Edge_map m_edge;
+  Face_hint_map m_hint;                 // a face of the reference near the face; -1: not to be remeshed
+  std::vector<Vertex> m_vertices;
+  std::vector<int> m_free_vertices;
+  std::vector<char> m_is_reference_face_remeshed;
+  std::size_t m_number_of_faces = 0;    // that are remeshed
+  std::size_t m_number_of_changes = 0;
+  std::vector<int> m_log;               // numbers of the vertices that have changed
+  bool m_is_logging = false;
+
+public:
+  // `faces_of_reference[i]` is the face of the mesh that became face i of the reference;
+  // `is_remeshed[i]` selects the part to work on.
+  template <typename IsFrozen>
+  Mesh_elements(const UserMesh& user, const Reference& reference,
+                const std::vector<face_descriptor>& faces_of_reference,
+                const std::vector<char>& is_remeshed,
+                const IsFrozen& is_edge_frozen)
+    : m_user(user), m_reference(reference)
+    , m_vertex_index(get(CGAL::dynamic_vertex_property_t<int>(), user.tmesh))
+    , m_edge(get(CGAL::dynamic_edge_property_t<Edge>(), user.tmesh))
+    , m_hint(get(CGAL::dynamic_face_property_t<int>(), user.tmesh))
+    , m_is_reference_face_remeshed(is_remeshed)
+  {
+    for(const vertex_descriptor v : vertices(user.tmesh))
+      put(m_vertex_index, v, -1);
+    for(const edge_descriptor e : edges(user.tmesh))
+      put(m_edge, e, Edge());
+
+    const Indexed_triangles& triangles = reference.surface.triangles();
+    std::vector<int> index_of_vertex(triangles.number_of_vertices(), -1);
+    for(int f = 0; f < triangles.number_of_faces(); ++f)
+    {
+      put(m_hint, faces_of_reference[f], is_remeshed[f] ? f : -1);
+      m_number_of_faces += is_remeshed[f];
+      halfedge_descriptor h = halfedge(faces_of_reference[f], user.tmesh);
+      for(int k = 0; k < 3; ++k, h = next(h, user.tmesh))
+      {
+        const int v = triangles.triangles[f][k];
+        if(index_of_vertex[v] == -1)
+          index_of_vertex[v] = make_initial_vertex(source(h, user.tmesh), f, k);
+        make_initial_edge(edge(h, user.tmesh), reference.edges.edge(f, k), is_edge_frozen(h));
+      }
+    }
+    for(std::size_t c = 0; c < reference.curves.curves.size(); ++c)
+    {
+      const Feature_curve& curve = reference.curves.curves[c];
+      for(std::size_t i = 1; i + 1 < curve.vertices.size(); ++i)
+        m_vertices[index_of_vertex[curve.vertices[i]]].site =
+          reference.curve_site(static_cast<int>(c), curve.spline.parameter(static_cast<int>(i)));
+    }
+    freeze_seam_and_protected_edges();
+  }
+
+  const Reference& reference() const { return m_reference; }
+  const TriangleMesh& tmesh() const { return m_user.tmesh; }
+  std::size_t number_of_faces() const { return m_number_of_faces; }
+
+  // \name Data of the elements
+  int index(const vertex_descriptor v) const { return get(m_vertex_index, v); }
+  const Vertex& data(const vertex_descriptor v) const { return m_vertices[index(v)]; }
+  const Site& site(const vertex_descriptor v) const { return data(v).site; }
+  const Vector& point(const vertex_descriptor v) const { return data(v).site.point; }
+  double size(const vertex_descriptor v) const { return data(v).site.size; }
+  bool is_frozen(const vertex_descriptor v) const { return data(v).is_frozen; }
+  bool is_fixed(const vertex_descriptor v) const { return data(v).is_frozen || is_corner(data(v).type); }
+
+  int curve(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).curve; }
+  bool is_on_curve(const halfedge_descriptor h) const { return curve(h) != -1; }
+  bool is_protected(const halfedge_descriptor h) const { return get(m_edge, edge(h, tmesh())).is_protected; }
+
+  bool is_border_or_outside(const halfedge_descriptor h) const
+  {
+    return CGAL::is_border(h, tmesh()) || get(m_hint, face(h, tmesh())) == -1;
+  }
+  bool is_remeshed(const face_descriptor f) const { return get(m_hint, f) != -1; }
+  int hint(const halfedge_descriptor h) const { return get(m_hint, face(h, tmesh())); }
+  int hint(const face_descriptor f) const { return get(m_hint, f); }
+
+  bool is_inside(const edge_descriptor e) const
+  {
+    const halfedge_descriptor h = halfedge(e, tmesh());
+    return !is_border_or_outside(h) || !is_border_or_outside(opposite(h, tmesh()));
+  }
+
+  double length(const halfedge_descriptor h) const
+  {
+    return (point(target(h, tmesh())) - point(source(h, tmesh()))).norm();
+  }
+  // length over the size asked for, which is linear along an edge: its mean is taken
+  double relative_length(const halfedge_descriptor h) const
+  {
+    return 2. * length(h) / (size(source(h, tmesh())) + size(target(h, tmesh())));
+  }
+
+  // numbers of the ends, smaller first: an order of the edges that is the same for every mesh type
+  std::pair<int, int> edge_key(const halfedge_descriptor h) const
+  {
+    const int s = index(source(h, tmesh())), t = index(target(h, tmesh()));
+    return s < t ? std::make_pair(s, t) : std::make_pair(t, s);
+  }
+
+  // the numbers go from 0 to this; those of removed vertices are free, their vertex is null
+  std::size_t number_of_vertex_slots() const { return m_vertices.size(); }
+  vertex_descriptor vertex(const int i) const { return m_vertices[i].descriptor; }
+
+  bool is_reference_face_remeshed(const int f) const { return m_is_reference_face_remeshed[f]; }
+
+  // parameter of a vertex on a curve that it lies on
+  double parameter(const vertex_descriptor v, const int curve) const
+  {
+    const Vertex& vertex = data(v);
+    return vertex.site.curve == curve ? vertex.site.parameter
+                                      : m_reference.end_parameter(curve, vertex.reference_vertex);
+  }
+
+  // \name Changes
+  // Changes are numbered. An operator that remembers how many there were when it began its last pass
+  // needs to look only at what has changed since.
+  std::size_t number_of_changes() const { return m_number_of_changes; }
+  bool has_changed(const vertex_descriptor v, const std::size_t since) const { return data(v).change > since; }
+  bool has_changed(const halfedge_descriptor h, const std::size_t since) const
+  {
+    return has_changed(source(h, tmesh()), since) || has_changed(target(h, tmesh()), since);
+  }
+  bool has_changed(const face_descriptor f, const std::size_t since) const
+  {
+    const halfedge_descriptor h = halfedge(f, tmesh());
+    return has_changed(h, since) || has_changed(target(next(h, tmesh()), tmesh()), since);
+  }
+  // A log of the vertices at which something changes, for who must follow single operations.
+  void start_log() { m_log.clear(); m_is_logging = true; }
+  void stop_log() { m_is_logging = false; }
+  const std::vector<int>& log() const { return m_log; }
+
+protected:
+  int add_vertex(const vertex_descriptor v, const Vertex& data)
+  {
+    int i = static_cast<int>(m_vertices.size());
+    if(m_free_vertices.empty())
+      m_vertices.push_back(data);
+    else
+    {
+      i = m_free_vertices.back();
+      m_free_vertices.pop_back();
+      m_vertices[i] = data;
+    }
+    m_vertices[i].descriptor = v;
+    put(m_vertex_index, v, i);
+    return i;
+  }
+
+  void free_vertex(const int i)
+  {
+    m_vertices[i].descriptor = Graph_traits::null_vertex();
+    m_free_vertices.push_back(i);
+  }
+
+  void set_edge(const edge_descriptor e, const Edge& data)
+  {
+    put(m_edge, e, data);
+    if(get(m_user.edge_is_constrained, e) != data.is_constrained)
+      put(m_user.edge_is_constrained, e, data.is_constrained);
+  }
+
+  void touch(const vertex_descriptor v)
+  {
+    m_vertices[index(v)].change = m_number_of_changes;
+    if(m_is_logging)
+      m_log.push_back(index(v));
+  }
+
+  void touch_around(const vertex_descriptor v)
+  {
+    ++m_number_of_changes;
+    touch(v);
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
+      touch(source(h, tmesh()));
+  }
+
+  // the two faces of an edge
+  void touch_quadrangle(const halfedge_descriptor h)
+  {
+    ++m_number_of_changes;
+    for(const halfedge_descriptor side : {h, opposite(h, tmesh())})
+    {
+      touch(target(side, tmesh()));
+      touch(target(next(side, tmesh()), tmesh()));
+    }
+  }
+
+private:
+  int make_initial_vertex(const vertex_descriptor descriptor, const int face, const int corner)
+  {
+    const int v = m_reference.surface.triangles().triangles[face][corner];
+    Vertex vertex;
+    vertex.site = m_reference.vertex_site(face, corner);
+    vertex.type = m_reference.vertex_classes[v];
+    if(vertex.type == SURFACE_VERTEX)
+      vertex.site.normal = m_reference.surface.blended_normal(vertex.site.location);
+    vertex.reference_vertex = v;
+    vertex.change = m_number_of_changes = 1;
+    return add_vertex(descriptor, vertex);
+  }
+
+  void make_initial_edge(const edge_descriptor e, const int reference_edge, const bool is_frozen)
+  {
+    Edge data;
+    data.curve = m_reference.curves.curve_of_edge[reference_edge];
+    data.is_constrained = get(m_user.edge_is_constrained, e);
+    data.is_protected = is_frozen;
+    put(m_edge, e, data);
+  }
+
+  // the edges between the part that is remeshed and the rest, and those that the user protects
+  void freeze_seam_and_protected_edges()
+  {
+    for(const edge_descriptor e : edges(tmesh()))
+    {
+      const halfedge_descriptor h = halfedge(e, tmesh());
+      const halfedge_descriptor o = opposite(h, tmesh());
+      Edge data = get(m_edge, e);
+      const bool is_seam = is_border_or_outside(h) != is_border_or_outside(o)
+                        && !CGAL::is_border(h, tmesh()) && !CGAL::is_border(o, tmesh());
+      if(!is_seam && !data.is_protected)
+        continue;
+      data.is_protected = true;
+      put(m_edge, e, data);
+      m_vertices[index(source(h, tmesh()))].is_frozen = true;
+      m_vertices[index(target(h, tmesh()))].is_frozen = true;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_ELEMENTS_H

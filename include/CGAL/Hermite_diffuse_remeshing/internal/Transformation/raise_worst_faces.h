@@ -1,0 +1,350 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RAISE_WORST_FACES_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RAISE_WORST_FACES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/collapse_short_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/remove_vertices.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Hunts the worst faces of the whole mesh one by one, from a queue, with every operator and their short
+// combinations. An operation is done if the worst face that it makes is better than the worst of those
+// that it replaces, so the smallest score and the smallest quality of the mesh never fall. Every step
+// raises a score by the margin at least, and a face for which none is found waits until something changes
+// beside it: the hunt ends.
+template <typename UserMesh>
+class Worst_face_hunt
+{
+  typedef Working_mesh<UserMesh> Mesh;
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
+  typedef typename Mesh::face_descriptor face_descriptor;
+
+  struct Entry
+  {
+    int level;                          // of the score, quantised: rounding does not decide the order
+    std::array<int, 3> corners;         // numbers of the vertices, the smallest first
+
+    bool operator<(const Entry& other) const
+    { return level != other.level ? level < other.level : corners < other.corners; }
+  };
+
+  enum Kind { NOTHING, FLIP, RELOCATION, COLLAPSE, SPLIT, VERTEX_REMOVAL, CURVE_VERTEX_REMOVAL, FLIP_AND_RELOCATION };
+
+  // the best operation found so far for a face
+  struct Plan
+  {
+    Kind kind = NOTHING;
+    Worth after{-1., 0.};
+    halfedge_descriptor halfedge;
+    vertex_descriptor vertex;
+    Site site;
+    Vertex_removal<UserMesh> vertex_removal;
+    Curve_vertex_removal<UserMesh> curve_vertex_removal;
+  };
+
+  Mesh& m_mesh;
+  double m_satisfying_score;
+  std::set<Entry> m_queue;
+
+  // shape comes before size here, but not without limit: lengths relative to the size
+  static constexpr double longest_length = 2., shortest_length_to_split = 1.;
+
+public:
+  Worst_face_hunt(Mesh& mesh, const double satisfying_score) : m_mesh(mesh), m_satisfying_score(satisfying_score) {}
+
+  // returns the number of operations
+  std::size_t run(const std::size_t since)
+  {
+    for(const face_descriptor f : faces(m_mesh.tmesh()))
+      if(m_mesh.is_remeshed(f) && m_mesh.has_changed(f, since))
+        push(halfedge(f, m_mesh.tmesh()));
+    std::size_t number = 0;
+    while(!m_queue.empty() && !m_mesh.is_stopped())
+    {
+      const Entry entry = *m_queue.begin();
+      m_queue.erase(m_queue.begin());
+      const halfedge_descriptor h = halfedge_of(entry);
+      if(h == Mesh::Graph_traits::null_halfedge() || make_entry(h).level != entry.level)
+        continue;                       // has been replaced
+      m_mesh.start_log();
+      if(raise(h))
+      {
+        ++number;
+        push_changed();
+      }
+      m_mesh.stop_log();
+    }
+    return number;
+  }
+
+private:
+  Entry make_entry(const halfedge_descriptor h) const
+  {
+    const auto& tm = m_mesh.tmesh();
+    constexpr double levels = 1024., offset = 0.37;
+    Entry entry;
+    entry.level = static_cast<int>(std::floor(levels * face_worth(m_mesh, h).score + offset));
+    entry.corners = {{m_mesh.index(source(h, tm)), m_mesh.index(target(h, tm)),
+                      m_mesh.index(target(next(h, tm), tm))}};
+    std::rotate(entry.corners.begin(), std::min_element(entry.corners.begin(), entry.corners.end()),
+                entry.corners.end());
+    return entry;
+  }
+
+  // null if the face is no more
+  halfedge_descriptor halfedge_of(const Entry& entry) const
+  {
+    const auto& tm = m_mesh.tmesh();
+    std::array<vertex_descriptor, 3> v;
+    for(int i = 0; i < 3; ++i)
+    {
+      v[i] = m_mesh.vertex(entry.corners[i]);
+      if(v[i] == Mesh::Graph_traits::null_vertex())
+        return Mesh::Graph_traits::null_halfedge();
+    }
+    const auto found = halfedge(v[0], v[1], tm);
+    return found.second && !m_mesh.is_border_or_outside(found.first)
+           && target(next(found.first, tm), tm) == v[2] ? found.first : Mesh::Graph_traits::null_halfedge();
+  }
+
+  void push(const halfedge_descriptor h)
+  {
+    if(face_worth(m_mesh, h).score < m_satisfying_score)
+      m_queue.insert(make_entry(h));
+  }
+
+  void push_changed()
+  {
+    std::vector<int> changed = m_mesh.log();
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    for(const int i : changed)
+      if(m_mesh.vertex(i) != Mesh::Graph_traits::null_vertex())
+        for(const halfedge_descriptor h : CGAL::halfedges_around_target(m_mesh.vertex(i), m_mesh.tmesh()))
+          if(!m_mesh.is_border_or_outside(h))
+            push(h);
+  }
+
+  // tries everything at a face, does the best
+  bool raise(const halfedge_descriptor h)
+  {
+    const auto& tm = m_mesh.tmesh();
+    const std::array<halfedge_descriptor, 3> sides = {{h, next(h, tm), prev(h, tm)}};
+    Plan plan;
+    for(const halfedge_descriptor side : sides)
+    {
+      plan_flip(side, plan);
+      plan_relocation(target(side, tm), plan);
+    }
+    if(plan.after.score < m_satisfying_score)
+      for(const halfedge_descriptor side : sides)
+      {
+        plan_collapse(side, plan);
+        plan_collapse(opposite(side, tm), plan);
+        plan_split(side, plan);
+        plan_removals(target(side, tm), plan);
+        plan_flips_and_relocation(target(side, tm), plan);
+      }
+    return execute(plan);
+  }
+
+  static bool improves(const Worth& after, const Worth& before, const Plan& plan)
+  {
+    return is_better(after, before) && after.score > plan.after.score + score_margin;
+  }
+
+  Plan& take(const Kind kind, const Worth& after, Plan& plan) const
+  {
+    plan.kind = kind;
+    plan.after = after;
+    return plan;
+  }
+
+  void plan_flip(const halfedge_descriptor h, Plan& plan) const
+  {
+    if(!is_flip_topologically_legal(m_mesh, h))
+      return;
+    const Worth after = worth_after_flip(m_mesh, h);
+    if(improves(after, worth_of_pair(m_mesh, h), plan))
+      take(FLIP, after, plan).halfedge = h;
+  }
+
+  void plan_relocation(const vertex_descriptor v, Plan& plan) const
+  {
+    if(m_mesh.is_fixed(v))
+      return;
+    Star star(m_mesh.reference(), Star::WORST);
+    star.add(m_mesh, v);
+    const Site site = better_site(m_mesh, v, star);
+    const Worth after = star.worth(site);
+    if(!improves(after, star.worth(m_mesh.site(v)), plan))
+      return;
+    take(RELOCATION, after, plan).vertex = v;
+    plan.site = site;
+  }
+
+  void plan_collapse(const halfedge_descriptor h, Plan& plan) const
+  {
+    if(!is_collapse_topologically_legal(m_mesh, h))
+      return;
+    const vertex_descriptor s = source(h, m_mesh.tmesh()), t = target(h, m_mesh.tmesh());
+    Worth before = worth_around(m_mesh, s);
+    before.add(worth_around(m_mesh, t));
+    Star star(m_mesh.reference(), Star::WORST);
+    star.add(m_mesh, s, t);
+    star.add(m_mesh, t, s);
+    auto sites = collapse_sites(m_mesh, h);
+    if(m_mesh.data(s).type == SURFACE_VERTEX && !m_mesh.is_fixed(t) && m_mesh.data(t).type == SURFACE_VERTEX)
+      sites[0] = star.better_site(sites[0]);
+    for(const Site& site : sites)
+    {
+      const Worth after = star.worth(site);
+      if(!improves(after, before, plan) || !are_lengths_acceptable_after_collapse(m_mesh, h, site, longest_length))
+        continue;
+      take(COLLAPSE, after, plan).halfedge = h;
+      plan.site = site;
+    }
+  }
+
+  void plan_split(const halfedge_descriptor h, Plan& plan) const
+  {
+    const auto& tm = m_mesh.tmesh();
+    if(m_mesh.is_protected(h) || m_mesh.is_full() || m_mesh.relative_length(h) < shortest_length_to_split)
+      return;
+    Star star(m_mesh.reference(), Star::WORST);
+    Worth before;
+    for(const halfedge_descriptor side : {h, opposite(h, tm)})
+    {
+      if(m_mesh.is_border_or_outside(side))
+        continue;
+      before.add(face_worth(m_mesh, side));
+      star.add_side(m_mesh, next(side, tm));
+      star.add_side(m_mesh, prev(side, tm));
+    }
+    Site site = middle_site(m_mesh, h);
+    if(!m_mesh.is_on_curve(h))
+      site = star.better_site(site);
+    const Worth after = star.worth(site);
+    if(!improves(after, before, plan))
+      return;
+    take(SPLIT, after, plan).halfedge = h;
+    plan.site = site;
+  }
+
+  void plan_removals(const vertex_descriptor v, Plan& plan) const
+  {
+    const auto& tm = m_mesh.tmesh();
+    const Worth before = worth_around(m_mesh, v);
+    Vertex_removal<UserMesh> removal;
+    const Worth after = removal.plan(m_mesh, v);
+    if(improves(after, before, plan))
+      take(VERTEX_REMOVAL, after, plan).vertex_removal = removal;
+    if(m_mesh.data(v).type != CURVE_VERTEX)
+      return;
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tm))
+    {
+      Curve_vertex_removal<UserMesh> curve_removal;
+      const Worth after_curve_removal = curve_removal.plan(m_mesh, opposite(h, tm));
+      if(improves(after_curve_removal, before, plan))
+        take(CURVE_VERTEX_REMOVAL, after_curve_removal, plan).curve_vertex_removal = curve_removal;
+    }
+  }
+
+  // an edge at v or opposite to v is flipped, and v moves
+  void plan_flips_and_relocation(const vertex_descriptor v, Plan& plan) const
+  {
+    const auto& tm = m_mesh.tmesh();
+    if(m_mesh.data(v).type != SURFACE_VERTEX || m_mesh.is_fixed(v))
+      return;
+    const Worth around = worth_around(m_mesh, v);
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tm))
+    {
+      const halfedge_descriptor o = opposite(h, tm), side = opposite(prev(h, tm), tm);
+      const Site& s = m_mesh.site(source(h, tm));
+      const Site& t = m_mesh.site(target(next(h, tm), tm));
+      const Site& u = m_mesh.site(target(next(o, tm), tm));
+      if(is_flip_topologically_legal(m_mesh, h))
+      {
+        Star star(m_mesh.reference(), Star::WORST);
+        for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
+          if(g != h && g != prev(o, tm))
+            star.add_side(m_mesh, prev(g, tm));
+        star.add_side(t, u, m_mesh.hint(h));
+        plan_site(FLIP_AND_RELOCATION, h, v, star, around, worth(m_mesh.reference(), s, u, t, m_mesh.hint(o)), plan);
+      }
+      if(is_flip_topologically_legal(m_mesh, side))
+      {
+        Star star(m_mesh.reference(), Star::WORST);
+        for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
+          if(g != h)
+            star.add_side(m_mesh, prev(g, tm));
+        star.add_side(m_mesh, next(side, tm));
+        star.add_side(m_mesh, prev(side, tm));
+        Worth before = around;
+        before.add(face_worth(m_mesh, side));
+        plan_site(FLIP_AND_RELOCATION, side, v, star, before, Worth(), plan);
+      }
+    }
+  }
+
+  // `rest` is made by the operation too, away from v
+  void plan_site(const Kind kind, const halfedge_descriptor h, const vertex_descriptor v, const Star& star,
+                 const Worth& before, const Worth& rest, Plan& plan) const
+  {
+    if(rest.score <= (std::max)(before.score, plan.after.score))
+      return;
+    const Site site = star.better_site(m_mesh.site(v));
+    Worth after = star.worth(site);
+    after.add(rest);
+    if(!improves(after, before, plan))
+      return;
+    take(kind, after, plan).halfedge = h;
+    plan.vertex = v;
+    plan.site = site;
+  }
+
+  bool execute(const Plan& plan)
+  {
+    switch(plan.kind)
+    {
+      case NOTHING:              return false;
+      case FLIP:                 m_mesh.flip_edge(plan.halfedge); break;
+      case RELOCATION:           m_mesh.relocate(plan.vertex, plan.site); break;
+      case COLLAPSE:             m_mesh.collapse_edge(plan.halfedge, plan.site); break;
+      case SPLIT:                m_mesh.split_edge(plan.halfedge, plan.site); break;
+      case VERTEX_REMOVAL:       plan.vertex_removal.execute(m_mesh); break;
+      case CURVE_VERTEX_REMOVAL: plan.curve_vertex_removal.execute(m_mesh); break;
+      case FLIP_AND_RELOCATION:
+        m_mesh.flip_edge(plan.halfedge);
+        m_mesh.relocate(plan.vertex, plan.site);
+        break;
+    }
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RAISE_WORST_FACES_H
