@@ -51,7 +51,7 @@ std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, c
 
 // The model of a mesh, or of a part of one, that was read as indexed triangles: face i is `face_descriptors[i]`,
 // vertex i `vertex_descriptors[i]`.
-template <typename TriangleMesh, typename GeomTraits, typename Pack>
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename GeomTraits, typename Pack>
 std::unique_ptr<Input_model>
 read_model(const TriangleMesh& tmesh, const Indexed_triangles& triangles,
            const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertex_descriptors,
@@ -73,8 +73,10 @@ read_model(const TriangleMesh& tmesh, const Indexed_triangles& triangles,
                                     Constant_property_map<face_descriptor, int>());
   const Is_user_edge<TriangleMesh, std::decay_t<decltype(ecm)>, std::decay_t<decltype(fpm)> >
     is_user_edge{tmesh, face_descriptors, ecm, fpm};
+  Model_options options = read_model_options(pack);
+  options.is_parallel = is_parallel<ConcurrencyTag>();
   return std::unique_ptr<Input_model>(
-    new Input_model(triangles, read_feature_options(pack), read_model_options(pack), is_user_edge,
+    new Input_model(triangles, read_feature_options(pack), options, is_user_edge,
                     [&](const int v) { return get(vcm, vertex_descriptors[v]); },
                     read_vertex_normals(vertex_descriptors, traits, pack)));
 }
