@@ -97,24 +97,29 @@ public:
       m_neighborhood.add_ring();
     const Node_frame frame(m_nodes[node].position, m_max_normals[node],
                            m_nodes[*m_cut_mesh.ring(node).begin()].position, m_nodes[node].size);
-    const double share = share_of_fit(frame.z_axis);
+    const double turn = mean_turn(frame.z_axis);
+    // A mesh can be too coarse for a polynomial over the neighbourhood. Where the normals there differ
+    // from the node's by 38 degrees (rms), a fit is as wrong as the Max normal on average, beyond it
+    // gets worse fast. From 32 to 45 degrees the fit gives way gradually, so that no rounding decides.
+    constexpr double largest_turn_of_all = 0.152, largest_turn_of_any = 0.293;        // 1 - cosine
+    const double share = ramp(turn, largest_turn_of_any, largest_turn_of_all);
     Fitted_normal result = {(1. - share) * frame.z_axis, 0.};
     const double rest = add_fit<2>(frame, add_fit<3>(frame, add_fit<4>(frame, share, result), result), result);
     result.normal = (result.normal + rest * frame.z_axis).normalized();
+    // terms of order four say nothing of a surface that the mesh hardly resolves
+    constexpr double largest_turn_of_signal = 0.14;
+    result.signal_over_noise *= ramp(turn, largest_turn_of_all, largest_turn_of_signal);
     return result;
   }
 
 private:
-  // A mesh can be too coarse for a polynomial over the neighbourhood. Where the normals there differ
-  // from the node's by 38 degrees (rms), a fit is as wrong as the Max normal on average, beyond it
-  // gets worse fast. From 32 to 45 degrees the fit gives way gradually, so that no rounding decides.
-  double share_of_fit(const Vector& normal) const
+  // mean of 1 - cosine of the angles between the Max normals around and the node's
+  double mean_turn(const Vector& normal) const
   {
-    constexpr double all = 0.152, none = 0.293;        // 1 - cosine of these angles
     double turn = 0.;
     for(const int j : m_neighborhood.neighbors())
       turn += 1. - normal.dot(m_max_normals[j]);
-    return ramp(turn / (std::max)(1, m_neighborhood.size()), none, all);
+    return turn / (std::max)(1, m_neighborhood.size());
   }
 
   template <int Degree>
@@ -278,7 +283,7 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
 
   // Combined equations remove the influence of terms of order four and amplify noise. A single ratio is
   // uncertain: the mean over the ring tells noise, 1.3, from the coarsest meshes without, 4.
-  constexpr double none = 2., all = 3.5;
+  constexpr double none = 3., all = 4.;
   for(int i = 0; i < n; ++i)
   {
     double sum = signal_over_noise[i];
