@@ -9,7 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
 #define CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 
@@ -83,25 +83,15 @@ public:
   explicit Hermite_diffuse_size_map(const TriangleMesh& tmesh,
                                     const NamedParameters& np = parameters::default_values())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
     using namespace Hermite_diffuse_remeshing::internal;
-    typedef boost::graph_traits<TriangleMesh> Graph_traits;
 
     const auto& pack = Hermite_diffuse_remeshing::internal::pack(np);
-    m_traits = choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits));
-    const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                                      get_const_property_map(CGAL::vertex_point, tmesh));
-    std::vector<typename Graph_traits::face_descriptor> face_descriptors;
-    const Indexed_triangles triangles = read_triangles(tmesh, vpm, m_traits, face_descriptors);
-    const std::vector<typename Graph_traits::vertex_descriptor>
-      vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
-    const Size_options options = read_size_options(pack, m_traits, model_diameter(triangles), face_descriptors);
-    m_model = read_model(tmesh, triangles, vertex_descriptors, face_descriptors, m_traits, pack);
-    m_sizes.reset(new Size_map(m_model->surface, m_model->edges, m_model->curves, options));
-    if constexpr(is_given<std::decay_t<decltype(pack)>, internal_np::maximum_number_of_faces_t>())
-      m_sizes->limit_number_of_faces(double(get_parameter(pack, internal_np::maximum_number_of_faces)),
-                                     [](int) { return true; });
+    const Input_mesh<TriangleMesh, Geom_traits> input = read_input<Geom_traits>(tmesh, pack);
+    m_traits = input.traits;
+    const Size_options options = read_size_options(pack, m_traits, input.triangles, input.face_descriptors);
+    m_model = read_model(input, pack);
+    m_sizes = make_size_map(*m_model, options, read_face_budget(pack, input.face_descriptors.size()),
+                            [](int) { return true; });
   }
 
   /// returns the size at the point of the mesh that is closest to `p`, a length; in time logarithmic in

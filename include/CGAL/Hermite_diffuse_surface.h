@@ -112,24 +112,16 @@ public:
                                    const NamedParameters& np = parameters::default_values())
     : m_rank(get(CGAL::dynamic_face_property_t<int>(), tmesh))
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
     using namespace Hermite_diffuse_remeshing::internal;
 
     const auto& pack = Hermite_diffuse_remeshing::internal::pack(np);
-    static_assert(std::is_floating_point<FT>::value,
-                  "Hermite_diffuse_surface needs a kernel with floating point coordinates: "
-                  "its constructions are least-squares fits, which are not exact");
-    m_traits = choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits));
-    const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                                      get_const_property_map(CGAL::vertex_point, tmesh));
-    Indexed_triangles triangles = read_triangles(tmesh, vpm, m_traits, m_faces);
-    std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
-    order_for_locality(tmesh, m_rank, triangles, m_faces, vertex_descriptors);
-    m_faces.shrink_to_fit();
+    Input_mesh<TriangleMesh, Geom_traits> input = read_input<Geom_traits>(tmesh, pack);
+    order_for_locality(m_rank, input);
+    m_traits = input.traits;
+    m_faces = std::move(input.face_descriptors);
     for(std::size_t i = 0; i < m_faces.size(); ++i)
       put(m_rank, m_faces[i], static_cast<int>(i));
-    m_model = read_model<ConcurrencyTag>(tmesh, triangles, vertex_descriptors, m_faces, m_traits, pack);
+    m_model = read_model<ConcurrencyTag>(input, pack);
     m_model->keep_surface_only();
   }
 

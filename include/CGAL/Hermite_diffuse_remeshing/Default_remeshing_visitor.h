@@ -38,7 +38,7 @@ struct Default_remeshing_visitor
   /// `fraction` of the current stage that is done, from 0 to 1 and never falling
   void progress(double /* fraction */) {}
   void stage_ends(const char* /* name */) {}
-  /// asked between operations; once `true` is returned the mesh is left as it is, valid
+  /// asked all the time; once `true` is returned the mesh is left as it is, valid
   bool is_stop_requested() { return false; }
   /// @}
 
@@ -46,6 +46,7 @@ struct Default_remeshing_visitor
   /// @{
   void before_edge_split(edge_descriptor) {}
   void after_edge_split(vertex_descriptor /* new vertex */) {}
+  void after_face_split(face_descriptor /* face */, face_descriptor /* the part that is new */) {}
   /// `h` will be collapsed: its source is removed, its target stays
   void before_edge_collapse(halfedge_descriptor) {}
   void after_edge_collapse(vertex_descriptor /* the vertex that stays */) {}
@@ -53,6 +54,7 @@ struct Default_remeshing_visitor
   void after_edge_flip(edge_descriptor) {}
   void before_vertex_removal(vertex_descriptor) {}
   void after_vertex_removal() {}
+  void before_vertex_relocation(vertex_descriptor) {}
   void after_vertex_relocation(vertex_descriptor) {}
   /// @}
 };

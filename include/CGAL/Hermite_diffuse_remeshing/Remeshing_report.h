@@ -31,6 +31,7 @@ enum Stop_reason
   CONVERGED,           ///< a whole pass found nothing left to change
   ITERATION_BOUND,     ///< `number_of_iterations` passes were made
   FACE_BUDGET,         ///< the number of faces reached its cap
+  TIME_BUDGET,         ///< `maximum_running_time` was over
   STOPPED_BY_VISITOR   ///< the visitor asked for it
 };
 
@@ -47,6 +48,7 @@ inline const char* name(const Stop_reason reason)
     case CONVERGED:          return "converged";
     case ITERATION_BOUND:    return "iteration_bound";
     case FACE_BUDGET:        return "face_budget";
+    case TIME_BUDGET:        return "time_budget";
     case STOPPED_BY_VISITOR: return "stopped_by_visitor";
   }
   return "unknown";
@@ -73,6 +75,17 @@ struct Remeshing_report
   std::size_t number_of_vertices = 0;      ///< of the whole mesh after remeshing
   /// @}
 
+  /// \name State of the input
+  /// @{
+  /// faces whose height is within the rounding of the coordinates
+  std::size_t number_of_degenerate_input_faces = 0;
+  /// those of them that could not be repaired before the surface was fitted
+  std::size_t number_of_unrepaired_faces = 0;
+  std::size_t number_of_isolated_vertices = 0;   ///< vertices without faces; they stay
+  /// vertices at the place of another; they are not merged
+  std::size_t number_of_coincident_vertices = 0;
+  /// @}
+
   /// \name Quality of the remeshed faces
   /// @{
   double smallest_input_quality = 0.;
@@ -85,6 +98,8 @@ struct Remeshing_report
   /// measured at vertices, edge middles and face centroids of the result, and from the vertices of
   /// the input to the result.
   /// @{
+  /// `false` if the remeshing was stopped before it was measured; then the other fields mean nothing
+  bool is_deviation_measured = false;
   double largest_deviation = 0.;
   double mean_deviation = 0.;
   std::array<double, 3> point_of_largest_deviation = {{0., 0., 0.}};

@@ -53,6 +53,7 @@
   ADD(protect_constraints_t, protect_constraints, protect_constraints)           \
   ADD(face_patch_t, face_patch, face_patch_map)                                  \
   ADD(maximum_number_of_faces_t, maximum_number_of_faces, maximum_number_of_faces) \
+  ADD(maximum_running_time_t, maximum_running_time, maximum_running_time)          \
   ADD(number_of_iterations_t, number_of_iterations, number_of_iterations)        \
   ADD(visitor_t, visitor, visitor)
 

@@ -83,30 +83,20 @@ auto hermite_diffuse_classify_faces(const TriangleMesh& tmesh, const FaceLabelMa
   using namespace CGAL::Hermite_diffuse_remeshing::internal;
   const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
   typedef std::decay_t<decltype(pack)> Pack;
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
+  typedef Traits_of<TriangleMesh, Pack> GT;
   typedef typename GT::FT FT;
-  static_assert(std::is_floating_point<FT>::value,
-                "hermite_diffuse_classify_faces() needs a kernel with floating point coordinates");
 
-  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
-  const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, tmesh));
-  std::vector<typename Graph_traits::face_descriptor> face_descriptors;
-  const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
+  const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
   constexpr double rounding = 1e-6;
   const double tolerance = choose_parameter(get_parameter(pack, internal_np::maximum_deviation),
-                                            rounding * model_diameter(triangles));
+                                            rounding * model_diameter(input.triangles));
   check_parameter("maximum_deviation", tolerance, 0., (std::numeric_limits<double>::max)());
-  const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
-  const std::unique_ptr<Input_model> model =
-    read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack);
+  const std::unique_ptr<Input_model> model = read_model(input, pack);
 
   Shape_recognizer recognize(model->surface, tolerance);
   recognize();
-  const auto point = gt.construct_point_3_object();
-  const auto vector = gt.construct_vector_3_object();
+  const auto point = input.traits.construct_point_3_object();
+  const auto vector = input.traits.construct_vector_3_object();
   std::vector<Hermite_diffuse_remeshing::Basic_surface<GT> > result;
   for(const Basic_shape& shape : recognize.shapes())
   {
@@ -119,10 +109,10 @@ auto hermite_diffuse_classify_faces(const TriangleMesh& tmesh, const FaceLabelMa
     surface.half_angle = FT(shape.half_angle);
     result.push_back(surface);
   }
-  for(std::size_t f = 0; f < face_descriptors.size(); ++f)
+  for(std::size_t f = 0; f < input.face_descriptors.size(); ++f)
   {
     const std::size_t label = std::size_t(recognize.regions()[f]);
-    put(face_label_map, face_descriptors[f], label);
+    put(face_label_map, input.face_descriptors[f], label);
     ++result[label].number_of_faces;
   }
   return result;

@@ -11,7 +11,6 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Principal_curvatures_and_directions.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_curvature_fitter.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/collect_neighborhood.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
@@ -147,21 +146,12 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
   using namespace CGAL::Hermite_diffuse_remeshing::internal;
   const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
   typedef std::decay_t<decltype(pack)> Pack;
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  typedef Traits_of<TriangleMesh, Pack> GT;
   typedef typename GT::FT FT;
-  static_assert(std::is_floating_point<FT>::value,
-                "hermite_diffuse_curvatures() needs a kernel with floating point coordinates");
 
-  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
-  const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, tmesh));
-  std::vector<typename Graph_traits::face_descriptor> face_descriptors;
-  const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
-  const std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
-  const std::unique_ptr<Input_model> model =
-    read_model<ConcurrencyTag>(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack);
+  const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
+  const std::unique_ptr<Input_model> model = read_model<ConcurrencyTag>(input, pack);
 
   const auto mean = choose_parameter(get_parameter(pack, internal_np::mean_curvature_map),
                                      Constant_property_map<vertex_descriptor, FT>());
@@ -177,15 +167,16 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
     return [&, fitter = Node_curvature_fitter(model->surface)](const int i) mutable
            { of_nodes[i] = fitter(i).principal_curvatures(); };
   });
-  std::vector<Principal_curvatures> curvatures(vertex_descriptors.size());
+  std::vector<Principal_curvatures> curvatures(input.vertex_descriptors.size());
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
     keep_larger(curvatures[cut_mesh.vertex(i)], of_nodes[i]);
-  for(std::size_t i = 0; i < vertex_descriptors.size(); ++i)
+  for(std::size_t i = 0; i < curvatures.size(); ++i)
   {
-    const Principal k = to_public(curvatures[i], gt);
-    put(mean, vertex_descriptors[i], k.mean_curvature());
-    put(gaussian, vertex_descriptors[i], k.gaussian_curvature());
-    put(principal, vertex_descriptors[i], k);
+    const vertex_descriptor v = input.vertex_descriptors[i];
+    const Principal k = to_public(curvatures[i], input.traits);
+    put(mean, v, k.mean_curvature());
+    put(gaussian, v, k.gaussian_curvature());
+    put(principal, v, k);
   }
 }
 
@@ -212,37 +203,25 @@ template <typename TriangleMesh, typename NamedParameters>
 void hermite_diffuse_curvatures(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
                                 const TriangleMesh& tmesh, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
   using namespace CGAL::Hermite_diffuse_remeshing::internal;
   const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
-  typedef std::decay_t<decltype(pack)> Pack;
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
-  static_assert(std::is_floating_point<typename GT::FT>::value,
-                "hermite_diffuse_curvatures() needs a kernel with floating point coordinates");
+  typedef Traits_of<TriangleMesh, std::decay_t<decltype(pack)> > GT;
 
-  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
-  const auto vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, tmesh));
   // three rings for the fit, four for the normal of the outermost, one for the faces around it
   constexpr int number_of_rings = 8;
-  std::vector<typename Graph_traits::face_descriptor> face_descriptors;
-  std::vector<typename Graph_traits::vertex_descriptor> vertex_descriptors;
-  const Indexed_triangles triangles = collect_neighborhood(v, tmesh, number_of_rings, vpm, gt, vertex_descriptors,
-                                                           face_descriptors);
+  const Input_mesh<TriangleMesh, GT> input = read_neighborhood<GT>(v, tmesh, number_of_rings, pack);
   Principal_curvatures k;
-  if(!face_descriptors.empty())
+  if(!input.face_descriptors.empty())
   {
-    const std::unique_ptr<Input_model> model =
-      read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack);
+    const std::unique_ptr<Input_model> model = read_model(input, pack);
     Node_curvature_fitter fitter(model->surface);
     const Cut_mesh& cut_mesh = model->surface.cut_mesh();
     for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
-      if(vertex_descriptors[cut_mesh.vertex(i)] == v)
+      if(input.vertex_descriptors[cut_mesh.vertex(i)] == v)
         keep_larger(k, fitter(i).principal_curvatures());
   }
-  const auto result = to_public(k, gt);
+  const auto result = to_public(k, input.traits);
   assign(get_parameter(pack, internal_np::mean_curvature), result.mean_curvature());
   assign(get_parameter(pack, internal_np::gaussian_curvature), result.gaussian_curvature());
   assign(get_parameter(pack, internal_np::principal_curvatures), result);

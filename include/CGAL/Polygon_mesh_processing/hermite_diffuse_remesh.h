@@ -11,87 +11,14 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/remesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
-#include <CGAL/Real_timer.h>
+#include <boost/graph/graph_traits.hpp>
 
-#include <algorithm>
-#include <limits>
-#include <memory>
-#include <string>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
-namespace Hermite_diffuse_remeshing {
-namespace internal {
-
-// Tells the visitor and the report of a stage.
-template <typename TriangleMesh, typename Visitor>
-class Stage_clock
-{
-  Remeshing_report<TriangleMesh>& m_report;
-  Visitor& m_visitor;
-  Real_timer m_timer;
-
-public:
-  Stage_clock(Remeshing_report<TriangleMesh>& report, Visitor& visitor)
-    : m_report(report), m_visitor(visitor)
-  {}
-
-  template <typename Work>
-  void operator()(const char* name, const Work& work)
-  {
-    m_visitor.stage_begins(name);
-    m_timer.reset();
-    m_timer.start();
-    work();
-    m_timer.stop();
-    m_report.stages.push_back(std::make_pair(std::string(name), m_timer.time()));
-    m_report.seconds += m_timer.time();
-    m_visitor.stage_ends(name);
-  }
-};
-
-// Writes where the vertices lie on the input, their sizes and the faces' origins and deviations.
-template <typename Mesh, typename Deviation, typename Pack>
-void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations, const Pack& pack)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  typedef typename Mesh::vertex_descriptor vertex_descriptor;
-  typedef typename Mesh::face_descriptor face_descriptor;
-  const auto location_map = choose_parameter(get_parameter(pack, internal_np::vertex_location_map),
-    Constant_property_map<vertex_descriptor, std::pair<std::size_t, Barycentric> >());
-  const auto size_map = choose_parameter(get_parameter(pack, internal_np::vertex_size_map),
-    Constant_property_map<vertex_descriptor, double>());
-  const auto origin_map = choose_parameter(get_parameter(pack, internal_np::face_origin_map),
-    Constant_property_map<face_descriptor, std::size_t>());
-  const auto deviation_map = choose_parameter(get_parameter(pack, internal_np::face_deviation_map),
-    Constant_property_map<face_descriptor, double>());
-
-  for(const vertex_descriptor v : vertices(mesh.tmesh()))
-    if(mesh.index(v) != -1)
-    {
-      const Location& location = mesh.data(v).site.location;
-      put(location_map, v, std::make_pair(std::size_t(location.face), location.coordinates));
-      put(size_map, v, mesh.size(v));
-    }
-  for(const Deviation& entry : deviations)
-  {
-    put(origin_map, entry.face, std::size_t(mesh.hint(entry.face)));
-    put(deviation_map, entry.face, entry.deviation);
-  }
-}
-
-} // namespace internal
-} // namespace Hermite_diffuse_remeshing
-
 namespace Polygon_mesh_processing {
 
 /*!
@@ -263,9 +190,16 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{maximum_number_of_faces}
  *     \cgalParamDescription{budget of remeshed faces. The sizes, their bounds included, are scaled up until
  *       nine tenths of it are predicted, and no edge is split beyond it, or beyond the number of faces of
- *       the input if that is larger.}
+ *       the input if that is larger. 0 means the default.}
  *     \cgalParamType{`std::size_t`}
- *     \cgalParamDefault{`std::numeric_limits<int>::max()`}
+ *     \cgalParamDefault{1000000, or ten times the faces of the input if that is more: a cap, so that an absurdly
+ *       small size does not eat the memory}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_running_time}
+ *     \cgalParamDescription{after this time the remeshing stops as if the visitor had asked for it. The clock
+ *       is read for nothing else; a result that it has stopped depends on the machine and on its load.}
+ *     \cgalParamType{`double`, seconds, larger than 0}
+ *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and operations and may stop the remeshing}
@@ -310,9 +244,9 @@ namespace Polygon_mesh_processing {
  *
  * @return what was done, and which promises were kept
  *
- * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
- *        that is not finite, or if a parameter is out of its range. The message names it, and the mesh is
- *        unchanged.
+ * \throw std::invalid_argument if the mesh cannot be remeshed, see \ref HDR_input, or if a parameter is out of
+ *        its range. The message names the element or the parameter, and the mesh is unchanged.
+ * \throw std::bad_alloc if there is too little memory. Before the adaptation begins the mesh is unchanged then.
  *
  * @sa `CGAL::Hermite_diffuse_surface`
  */
@@ -322,114 +256,8 @@ Hermite_diffuse_remeshing::Remeshing_report<TriangleMesh>
 hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
                        const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
-  using namespace CGAL::Hermite_diffuse_remeshing;
-  using namespace CGAL::Hermite_diffuse_remeshing::internal;
-
-  const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
-  typedef std::decay_t<decltype(pack)> Pack;
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
-
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type GT;
-  typedef typename GetVertexPointMap<TriangleMesh, Pack>::type VPM;
-  static_assert(std::is_floating_point<typename GT::FT>::value,
-                "hermite_diffuse_remesh() needs a kernel with floating point coordinates: "
-                "its constructions are least-squares fits, which are not exact");
-  const GT gt = choose_parameter<GT>(get_parameter(pack, internal_np::geom_traits));
-  const VPM vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                                   get_property_map(CGAL::vertex_point, tmesh));
-
-  typedef typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, Pack,
-    Static_boolean_property_map<edge_descriptor, false> >::type ECM;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::face_patch_t, Pack,
-    Constant_property_map<face_descriptor, int> >::type FPM;
-  const ECM ecm = choose_parameter<ECM>(get_parameter(pack, internal_np::edge_is_constrained));
-  const FPM fpm = choose_parameter<FPM>(get_parameter(pack, internal_np::face_patch));
-  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
-
-  typedef Default_remeshing_visitor<TriangleMesh> Default_visitor;
-  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
-    Visitor_reference;
-  typedef std::remove_reference_t<Visitor_reference> Visitor;
-  Default_visitor default_visitor;
-  Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
-
-  // everything is read and checked before the first change
-  const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
-  check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
-  const std::size_t maximum_number_of_faces =
-    choose_parameter(get_parameter(pack, internal_np::maximum_number_of_faces),
-                     std::size_t((std::numeric_limits<int>::max)()));
-
-  std::vector<face_descriptor> face_descriptors;
-  const Indexed_triangles triangles = read_triangles(tmesh, vpm, gt, face_descriptors);
-  const Size_options size_options = read_size_options(pack, gt, model_diameter(triangles), face_descriptors);
-  const double maximum_deviation = size_options.maximum_deviation;
-
-  Remeshing_report<TriangleMesh> report;
-  report.number_of_input_faces = face_descriptors.size();
-  report.maximum_deviation = maximum_deviation;
-  Stage_clock<TriangleMesh, Visitor> stage(report, visitor);
-
-  std::vector<vertex_descriptor> vertex_descriptors(vertices(tmesh).begin(), vertices(tmesh).end());
-  std::unique_ptr<Input_model> model;
-  stage("model", [&]
-  { model = read_model(tmesh, triangles, vertex_descriptors, face_descriptors, gt, pack); });
-
-  auto face_rank = get(CGAL::dynamic_face_property_t<int>(), tmesh);
-  for(std::size_t i = 0; i < face_descriptors.size(); ++i)
-    put(face_rank, face_descriptors[i], static_cast<int>(i));
-  std::vector<char> is_remeshed(face_descriptors.size(), false);
-  for(const face_descriptor f : faces)
-    is_remeshed[get(face_rank, f)] = true;
-
-  std::unique_ptr<Size_map> sizes;
-  stage("size map", [&]
-  {
-    sizes.reset(new Size_map(model->surface, model->edges, model->curves, size_options));
-    const auto is_selected = [&is_remeshed](const int f) { return is_remeshed[f] != 0; };
-    // the rest is for the places where the sizes do not fit the shape
-    constexpr double used_part = 0.9;
-    sizes->limit_number_of_faces(used_part * double(maximum_number_of_faces), is_selected);
-    report.size_scale = sizes->scale();
-    report.predicted_number_of_faces = sizes->number_of_faces(is_selected)
-                                     + double(std::count(is_remeshed.begin(), is_remeshed.end(), false));
-  });
-
-  const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves,
-                            model->surface, model->locator, *sizes};
-  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Visitor> User;
-  typedef Working_mesh<User> Mesh;
-
-  Mesh mesh(User{tmesh, vpm, ecm, fpm, gt, visitor}, reference, face_descriptors, is_remeshed,
-            [&](const halfedge_descriptor h) { return protect && get(ecm, edge(h, tmesh)); },
-            maximum_number_of_faces);
-  const Quality_statistics input_quality = measure_quality(mesh);
-  report.smallest_input_quality = input_quality.smallest;
-  report.mean_input_quality = input_quality.mean;
-
-  Remesher<User> remesher(mesh, static_cast<int>(iterations));
-  stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
-  if(!mesh.is_stopped())
-    stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
-
-  Deviations<User> deviations;
-  stage("deviation", [&]
-  { deviations = enforce_deviation(mesh, *sizes, remesher, maximum_deviation, report.stop_reason); });
-
-  fill_report(mesh, deviations, report);
-  report.number_of_iterations = remesher.number_of_iterations();
-  report.number_of_corners = std::count_if(model->vertex_classes.begin(), model->vertex_classes.end(), is_corner);
-  report.number_of_feature_edges = std::count_if(model->edge_classes.begin(), model->edge_classes.end(), is_feature);
-  report.number_of_curves = model->curves.curves.size();
-  write_output_maps(mesh, deviations.faces, pack);
-  return report;
+  return CGAL::Hermite_diffuse_remeshing::internal::remesh(faces, tmesh,
+                                                           CGAL::Hermite_diffuse_remeshing::internal::pack(np));
 }
 
 /*!

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_FOR_EACH_INDEX_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_FOR_EACH_INDEX_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
+
 #include <CGAL/tags.h>
 #include <CGAL/use.h>
 
@@ -37,9 +39,10 @@ constexpr bool is_parallel()
 
 // Calls worker(i) for i from 0 to n-1, in any order. Every thread has a worker of its own, made by
 // `make_worker()`, which may keep buffers. The result is the same for any number of threads if
-// worker(i) writes what belongs to i only, and nobody reads it.
+// worker(i) writes what belongs to i only, and nobody reads it. Threads tell of their progress at the end.
 template <typename MakeWorker>
-void for_each_index(const int n, const bool is_parallel, const MakeWorker& make_worker)
+void for_each_index(const int n, const bool is_parallel, const MakeWorker& make_worker,
+                    const Progress& progress = Progress())
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if(is_parallel)
@@ -51,12 +54,13 @@ void for_each_index(const int n, const bool is_parallel, const MakeWorker& make_
       for(int i = range.begin(); i < range.end(); ++i)
         worker(i);
     });
+    progress(1.);
     return;
   }
 #endif
   CGAL_USE(is_parallel);
   auto worker = make_worker();
-  for(int i = 0; i < n; ++i)
+  for(int i = 0; i < n; ++i, progress(double(i) / n))
     worker(i);
 }
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_MODEL_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_READ_MODEL_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
 
 #include <memory>
@@ -49,36 +50,24 @@ std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, c
   return normals;
 }
 
-// The model of a mesh, or of a part of one, that was read as indexed triangles: face i is `face_descriptors[i]`,
-// vertex i `vertex_descriptors[i]`.
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename GeomTraits, typename Pack>
-std::unique_ptr<Input_model>
-read_model(const TriangleMesh& tmesh, const Indexed_triangles& triangles,
-           const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertex_descriptors,
-           const std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>& face_descriptors,
-           const GeomTraits& traits, const Pack& pack)
+std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
+                                        const Progress& progress = Progress())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
-                                    Static_boolean_property_map<edge_descriptor, false>());
   const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
                                     Static_boolean_property_map<vertex_descriptor, false>());
-  const auto fpm = choose_parameter(get_parameter(pack, internal_np::face_patch),
-                                    Constant_property_map<face_descriptor, int>());
-  const Is_user_edge<TriangleMesh, std::decay_t<decltype(ecm)>, std::decay_t<decltype(fpm)> >
-    is_user_edge{tmesh, face_descriptors, ecm, fpm};
   Model_options options = read_model_options(pack);
   options.is_parallel = is_parallel<ConcurrencyTag>();
   return std::unique_ptr<Input_model>(
-    new Input_model(triangles, read_feature_options(pack), options, is_user_edge,
-                    [&](const int v) { return get(vcm, vertex_descriptors[v]); },
-                    read_vertex_normals(vertex_descriptors, traits, pack)));
+    new Input_model(input.triangles, read_feature_options(pack), options,
+                    [&](const int f, const int side) { return input.is_user_side[f][side] != 0; },
+                    [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
+                    read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress));
 }
 
 } // namespace internal

@@ -13,14 +13,9 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
-
 #include <boost/math/constants/constants.hpp>
 
-#include <algorithm>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -70,31 +65,6 @@ Model_options read_model_options(const Pack& pack)
     options.exponent = 1;                // the paper's; also averages the noise of the positions
   return options;
 }
-
-// Is an edge of the input a feature because the user says so, by his map or by patch labels?
-template <typename TriangleMesh, typename EdgeIsConstrainedMap, typename FacePatchMap>
-struct Is_user_edge
-{
-  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
-  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
-
-  const TriangleMesh& tmesh;
-  const std::vector<face_descriptor>& face_descriptors;
-  EdgeIsConstrainedMap edge_is_constrained;
-  FacePatchMap face_patch;
-
-  bool operator()(const int f, const int side) const
-  {
-    halfedge_descriptor h = halfedge(face_descriptors[f], tmesh);
-    for(int k = 0; k < side; ++k)
-      h = next(h, tmesh);
-    if(get(edge_is_constrained, edge(h, tmesh)))
-      return true;
-    const halfedge_descriptor o = opposite(h, tmesh);
-    return !CGAL::is_border(o, tmesh)
-        && get(face_patch, face(h, tmesh)) != get(face_patch, face(o, tmesh));
-  }
-};
 
 } // namespace internal
 } // namespace Hermite_diffuse_remeshing

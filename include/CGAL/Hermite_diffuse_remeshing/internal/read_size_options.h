@@ -120,15 +120,37 @@ void read_size_field(const Pack& pack, const GeomTraits& traits, const std::vect
   CGAL_USE(options);
 }
 
-// `diameter`: of the model, which the defaults are relative to.
+// The diameter of the mesh, which the defaults are relative to.
+inline double checked_diameter(const Indexed_triangles& triangles)
+{
+  // the fourth power of a length must neither overflow nor vanish
+  constexpr double smallest = 1e-50, largest = 1e50;
+  const double diameter = model_diameter(triangles);
+  check_parameter("the diameter of the mesh", diameter, smallest, largest);
+  return diameter;
+}
+
+// Shorter edges than this would be made of the rounding of the coordinates.
+template <typename FT>
+double shortest_length(const Indexed_triangles& triangles)
+{
+  constexpr double units_in_last_place = 64.;
+  double largest = 0.;
+  for(const Vector& p : triangles.points)
+    largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
+  return units_in_last_place * double(std::numeric_limits<FT>::epsilon()) * largest;
+}
+
 template <typename FaceDescriptor, typename GeomTraits, typename Pack>
-Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const double diameter,
+Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const Indexed_triangles& triangles,
                                const std::vector<FaceDescriptor>& face_descriptors)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double smallest_part = 1e-4, largest_part = 0.1;
+  const double diameter = checked_diameter(triangles);
+  const double shortest = shortest_length<typename GeomTraits::FT>(triangles);
   Size_options options;
   read_size_law(pack, options);
   read_size_field(pack, traits, face_descriptors, options);
@@ -141,6 +163,8 @@ Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const
   options.maximum_length = choose_parameter(get_parameter(pack, internal_np::maximum_edge_length), 0.);
   check_parameter("maximum_edge_length", options.maximum_length, 0., infinity);
   const bool is_maximum_given = options.maximum_length > 0.;
+  if(is_maximum_given)
+    check_parameter("maximum_edge_length", options.maximum_length, shortest, infinity);
   if(options.minimum_length == 0.)
     options.minimum_length = is_maximum_given ? (std::min)(smallest_part * diameter, options.maximum_length)
                                               : smallest_part * diameter;
@@ -148,6 +172,8 @@ Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const
     options.maximum_length = (std::max)(largest_part * diameter, options.minimum_length);
   if(options.minimum_length > options.maximum_length)
     refuse("minimum_edge_length", options.minimum_length, "it must not be larger than maximum_edge_length");
+  options.minimum_length = (std::max)(options.minimum_length, shortest);
+  options.maximum_length = (std::max)(options.maximum_length, shortest);
   return options;
 }
 

@@ -102,6 +102,48 @@ Indexed_triangles read_triangles(const TriangleMesh& tmesh, const VertexPointMap
   return result;
 }
 
+// Refuses what no manifold has: a vertex whose faces are not one fan (or several that are joined by the
+// border), and two edges between the same vertices.
+template <typename TriangleMesh>
+void check_is_manifold(const TriangleMesh& tmesh,
+                       const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& vertex_descriptors,
+                       const Indexed_triangles& triangles)
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  const int n = triangles.number_of_vertices();
+  std::vector<int> number_of_corners(n, 0), last_center(n, -1);
+  for(const std::array<int, 3>& t : triangles.triangles)
+    for(int k = 0; k < 3; ++k)
+    {
+      ++number_of_corners[t[k]];
+      if(t[k] == t[next(k)])
+        refuse("a corner of a face", "repeated, at vertex " + std::to_string(t[k]), "a triangle needs three vertices");
+    }
+  auto index = get(CGAL::dynamic_vertex_property_t<int>(), tmesh);
+  for(int i = 0; i < n; ++i)
+    put(index, vertex_descriptors[i], i);
+  for(int i = 0; i < n; ++i)
+  {
+    const auto v = vertex_descriptors[i];
+    if(halfedge(v, tmesh) == Graph_traits::null_halfedge())
+      continue;
+    int number = 0;
+    for(const auto h : CGAL::halfedges_around_target(v, tmesh))
+    {
+      number += !CGAL::is_border(h, tmesh);
+      const int other = get(index, source(h, tmesh));
+      if(last_center[other] == i)
+        refuse("the number of edges between vertices " + std::to_string(other) + " and " + std::to_string(i),
+               "more than one", "two vertices may be joined once");
+      last_center[other] = i;
+    }
+    if(number != number_of_corners[i])
+      refuse("the number of fans of faces at vertex " + std::to_string(i), "more than one",
+             "a surface passes once through a vertex; "
+             "CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices() separates them");
+  }
+}
+
 } // namespace internal
 } // namespace Hermite_diffuse_remeshing
 } // namespace CGAL

@@ -122,7 +122,8 @@ public:
   {
     const int i = static_cast<int>(std::upper_bound(m_parameters.begin() + 1, m_parameters.end() - 1, s)
                                    - m_parameters.begin()) - 1;
-    const double u = (s - m_parameters[i]) / (m_parameters[i+1] - m_parameters[i]);
+    const double length = m_parameters[i+1] - m_parameters[i];
+    const double u = length > 0. ? (s - m_parameters[i]) / length : 0.;
     return std::make_pair(i, (std::min)(1., (std::max)(0., u)));
   }
 
@@ -142,7 +143,11 @@ private:
   // tangent at the middle point of the circle through three points, from its two chords
   static Vector circle_tangent(const Vector& u, const Vector& v)
   {
-    return (u / u.squaredNorm() + v / v.squaredNorm()).stableNormalized();
+    const double u2 = u.squaredNorm(), v2 = v.squaredNorm();
+    // of coincident points the first and the second are the same
+    if(!(u2 > 0.) || !(v2 > 0.))
+      return (u + v).stableNormalized();
+    return (u / u2 + v / v2).stableNormalized();
   }
 
   // tangent of an arc at its other end

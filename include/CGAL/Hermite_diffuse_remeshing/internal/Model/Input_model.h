@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_locator.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
 #include <utility>
 #include <vector>
@@ -40,10 +41,11 @@ struct Input_model
   template <typename IsEdgeConstrained, typename IsVertexConstrained>
   Input_model(const Indexed_triangles& triangles, const Feature_options& features, const Model_options& options,
               const IsEdgeConstrained& is_edge_constrained, const IsVertexConstrained& is_vertex_constrained,
-              const std::vector<Vector>& vertex_normals = std::vector<Vector>())
+              const std::vector<Vector>& vertex_normals = std::vector<Vector>(),
+              const Progress& progress = Progress())
     : edges(triangles)
     , edge_classes(classify_edges(triangles, edges, features.sharp_angle, is_edge_constrained))
-    , surface(make_surface(triangles, features, options, is_vertex_constrained, vertex_normals))
+    , surface(make_surface(triangles, features, options, is_vertex_constrained, vertex_normals, progress))
     , locator(surface)
   {}
 
@@ -63,13 +65,17 @@ private:
   template <typename IsVertexConstrained>
   Reference_surface make_surface(const Indexed_triangles& triangles, const Feature_options& features,
                                  const Model_options& options, const IsVertexConstrained& is_vertex_constrained,
-                                 const std::vector<Vector>& vertex_normals)
+                                 const std::vector<Vector>& vertex_normals, const Progress& progress)
   {
+    // rough parts of the time that the steps take
+    constexpr double before_cut = 0.1, before_fit = 0.2, before_search_tree = 0.8;
+    progress(before_cut);
     Cut_mesh cut_mesh(triangles, edges, edge_classes);
     vertex_classes = classify_vertices(triangles, edges, edge_classes, cut_mesh, features.corner_angle,
                                        features.apex_defect, is_vertex_constrained);
     curves = chain_feature_edges(triangles, edges, edge_classes, vertex_classes);
-    return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options, vertex_normals);
+    return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options, vertex_normals,
+                             progress.part(before_fit, before_search_tree));
   }
 };
 

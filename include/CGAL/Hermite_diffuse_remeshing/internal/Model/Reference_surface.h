@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/interpolation_weights.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/node_normals.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -97,11 +98,13 @@ class Reference_surface
 public:
   Reference_surface(Indexed_triangles triangles, Cut_mesh cut_mesh,
                     const std::vector<Vertex_class>& vertex_classes, const Model_options& options,
-                    const std::vector<Vector>& vertex_normals = std::vector<Vector>())
+                    const std::vector<Vector>& vertex_normals = std::vector<Vector>(),
+                    const Progress& progress = Progress())
     : m_triangles(std::move(triangles)), m_cut_mesh(std::move(cut_mesh)),
       m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)), m_options(options)
   {
-    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, options.is_parallel, m_nodes);
+    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, options.is_parallel, progress,
+                          m_nodes);
     if(!options.is_solved_at_centroids)
       return;
     m_options.combined_weight = 0.;     // the paper has none
@@ -109,7 +112,7 @@ public:
     for_each_index(m_triangles.number_of_faces(), options.is_parallel, [&]
     {
       return [&](const int f) { quadrics[f] = solve({f, {{1. / 3., 1. / 3., 1. / 3.}}}); };
-    });
+    }, progress.part(1., 1.));
     m_quadrics.swap(quadrics);
   }
 

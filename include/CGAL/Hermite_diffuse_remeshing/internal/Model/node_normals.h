@@ -203,12 +203,13 @@ private:
 // One sweep of Jacobi: every normal from a quadratic Hermite fit over the ring that leaves the
 // node's own normal out, so that noise is averaged.
 inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
-                                            const std::vector<Vector>& normals)
+                                            const std::vector<Vector>& normals, const Progress& progress)
 {
   constexpr double slope_weight = 0.5;
   std::vector<Vector> result(normals);
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
   {
+    progress(double(i) / cut_mesh.number_of_nodes());
     if(normals[i] == Vector::Zero())
       continue;
     const Index_range ring = cut_mesh.ring(i);
@@ -248,7 +249,7 @@ inline Vector given_normal(const std::vector<Vector>& vertex_normals, const Cut_
 // result does not depend on the order of the nodes.
 inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
                                   const Normal_estimation estimation, const std::vector<Vector>& vertex_normals,
-                                  const bool is_parallel, std::vector<Node>& nodes)
+                                  const bool is_parallel, const Progress& progress, std::vector<Node>& nodes)
 {
   const int n = cut_mesh.number_of_nodes();
   std::vector<Vector> normals(n, Vector::Zero());
@@ -263,7 +264,8 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
   {
     constexpr int number_of_sweeps = 3;
     for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
-      normals = smoothed_normals(cut_mesh, nodes, normals);
+      normals = smoothed_normals(cut_mesh, nodes, normals,
+                                 progress.part(double(sweep) / number_of_sweeps, (sweep + 1.) / number_of_sweeps));
   }
   std::vector<double> signal_over_noise(n, 0.);
   const auto make_worker = [&]
@@ -279,7 +281,7 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
         node.normal = fitted.normal;
     };
   };
-  for_each_index(n, is_parallel, make_worker);
+  for_each_index(n, is_parallel, make_worker, progress);
 
   // Combined equations remove the influence of terms of order four and amplify noise. A single ratio is
   // uncertain: the mean over the ring tells noise, 1.3, from the coarsest meshes without, 4.

@@ -10,8 +10,10 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_SIZE_MAP_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Feature_gaps.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
 
@@ -51,14 +53,22 @@ class Size_map
   using Pair_map = std::unordered_map<Sample_pair, Value, boost::hash<Sample_pair> >;
 
   Size_sources m_sources;
+  Progress m_progress;
   Bisection_tree m_cells;
   std::vector<Sample> m_samples;          // first the vertices of the reference
   std::vector<double> m_sizes;            // after gradation
   std::vector<double> m_area_ratios;      // of the surface over the faces
   Pair_map<int> m_middles;
-  Pair_map<double> m_curve_sizes;         // curvature's size along the pieces of the feature edges
+  struct Curve_piece
+  {
+    double curvature_size;
+    int edge;                             // of the reference
+  };
+  Feature_gaps m_gaps;
+  Pair_map<Curve_piece> m_curve_pieces;   // of the feature edges
   double m_scale = 1.;                    // of the own sizes, to meet a budget
   bool m_is_sample_lowered = false;       // since the sizes were last graded
+  double m_number_of_probes = 0.;
 
   // a cell is fine enough when its longest side is this many sizes long; off the simple ratios, so that
   // rounding does not decide on regular meshes
@@ -73,16 +83,15 @@ class Size_map
   static constexpr double probe_distance = 0.4973;
   // a bisection halves a side: 48 of them in a row reach the rounding of the coordinates
   static constexpr int maximum_number_of_rounds = 48;
-  // Of the whole map, about 100 bytes each: an absurd size in a large face must not eat the memory.
-  // Where it is reached the sizes stay linear in the cells.
-  static constexpr int maximum_number_of_cells = 2000000;
 
 public:
   Size_map(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
-           const Size_options& options)
-    : m_sources(surface, options), m_cells(surface.triangles())
+           const Size_options& options, const Progress& progress = Progress())
+    : m_sources(surface, options), m_progress(progress), m_cells(surface.triangles())
+    , m_gaps(surface.triangles(), surface.cut_mesh(), edges, curves)
   {
-    for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
+    const int nf = surface.triangles().number_of_faces();
+    for(int f = 0; f < nf; ++f, progress(double(f) / nf))
       m_area_ratios.push_back(m_sources.area_ratio(f));
     sample_vertices(surface, curves);
     sample_curves(edges, curves);
@@ -118,8 +127,8 @@ public:
       grade();
       bool is_refined = false;
       const int number_of_cells = m_cells.number_of_cells();
-      for(int c = 0; c < number_of_cells; ++c)
-        if(m_cells.is_leaf(c) && m_cells.number_of_cells() < maximum_number_of_cells && is_too_coarse(c))
+      for(int c = 0; c < number_of_cells; ++c, m_progress(0.))
+        if(m_cells.is_leaf(c) && !is_full() && is_too_coarse(c))
         {
           const int k = longest_side(m_cells[c]);
           const int middle = middle_of_side(m_cells[c], k);
@@ -158,7 +167,7 @@ public:
     // a number of faces that is this close is met
     constexpr double tolerance = 0.002;
     constexpr int maximum_number_of_steps = 100;
-    for(int step = 0; step < maximum_number_of_steps; ++step)
+    for(int step = 0; step < maximum_number_of_steps; ++step, m_progress(0.))
     {
       const double number = number_of_faces(is_selected);
       if(!(number > (1. + tolerance) * limit))
@@ -172,6 +181,8 @@ public:
   double scale() const { return m_scale; }
 
 private:
+  bool is_full() const { return m_cells.number_of_cells() >= m_sources.options().maximum_number_of_cells; }
+
   void sample_vertices(const Reference_surface& surface, const Feature_curves& curves)
   {
     const Indexed_triangles& triangles = surface.triangles();
@@ -204,7 +215,9 @@ private:
         const double curvature = (curve.spline.curvature_at_point(static_cast<int>(i))
                                 + curve.spline.curvature_at_point(static_cast<int>(i) + 1)) / 2.;
         const std::array<int, 2>& ends = edges.vertices(curve.edges[i]);
-        m_curve_sizes[ordered(ends[0], ends[1])] = m_sources.of_curvature(curvature);
+        m_curve_pieces[ordered(ends[0], ends[1])] = {m_sources.of_curvature(curvature), curve.edges[i]};
+        for(const int v : ends)
+          lower_to_gap(v, curve.edges[i]);
       }
   }
 
@@ -215,6 +228,19 @@ private:
       return;
     m_samples[sample].own_size = clamped;
     m_is_sample_lowered = true;
+  }
+
+  // in a strip between two curves
+  void lower_to_gap(const int sample, const int edge)
+  {
+    // two sides of a triangle go across the strip and are 1.8 times as long as it is wide, the third is
+    // three times as long: Q = 0.52
+    constexpr double lengths_per_gap = 3.0037;
+    // a crack must not cost more than this factor of the size
+    constexpr double largest_factor = 8.;
+    const double size = m_samples[sample].own_size;
+    const double gap = m_gaps.gap(m_samples[sample].position, edge, size / lengths_per_gap);
+    lower(sample, (std::max)(lengths_per_gap * gap, size / largest_factor));
   }
 
   void lower_user_size(const int sample, const double size)
@@ -267,8 +293,8 @@ private:
     const auto found = m_middles.find(key);
     const bool is_new = found == m_middles.end();
     const int sample = is_new ? static_cast<int>(m_samples.size()) : found->second;
-    const auto on_curve = m_curve_sizes.find(key);
-    const bool is_on_curve = on_curve != m_curve_sizes.end();
+    const auto on_curve = m_curve_pieces.find(key);
+    const bool is_on_curve = on_curve != m_curve_pieces.end();
     if(is_new)
     {
       // the interpolated size of the user stands where the field is not asked any more
@@ -279,9 +305,10 @@ private:
       m_middles[key] = sample;
       if(is_on_curve)
       {
-        const double size = on_curve->second;
-        lower(sample, size);
-        m_curve_sizes[ordered(a, sample)] = m_curve_sizes[ordered(sample, b)] = size;
+        const Curve_piece piece = on_curve->second;
+        lower(sample, piece.curvature_size);
+        lower_to_gap(sample, piece.edge);
+        m_curve_pieces[ordered(a, sample)] = m_curve_pieces[ordered(sample, b)] = piece;
       }
     }
     const bool is_user_asked = m_sources.has_user_size() && (is_new || m_sources.options().is_user_size_local);
@@ -347,12 +374,13 @@ private:
   }
 
   // Is there a point in a cell where the user's size is smaller than the interpolation of the corners'?
-  bool has_smaller_user_size(const Cell& cell, const double length, const double s[3]) const
+  bool has_smaller_user_size(const Cell& cell, const double length, const double s[3])
   {
     const double step = probe_distance * (std::min)({s[0], s[1], s[2]});
     const int n = static_cast<int>((std::min)(length / step, double((std::numeric_limits<int>::max)() / 2)));
-    for(int i = 0; i <= n; ++i)
-      for(int j = 0; i + j <= n; ++j)
+    const double last_probe = m_sources.options().maximum_number_of_probes;
+    for(int i = 0; i <= n && m_number_of_probes < last_probe; ++i, m_progress(0.))
+      for(int j = 0; i + j <= n && m_number_of_probes < last_probe; ++j, ++m_number_of_probes)
       {
         // the centroids of the upright triangles of a regular partition of the cell
         const Barycentric l = {{(i + 1. / 3.) / (n + 1.), (j + 1. / 3.) / (n + 1.),

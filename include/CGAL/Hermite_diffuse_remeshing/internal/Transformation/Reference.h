@@ -36,7 +36,6 @@ struct Site
 struct Reference
 {
   const Edge_table& edges;
-  const std::vector<Edge_class>& edge_classes;
   const std::vector<Vertex_class>& vertex_classes;
   const Feature_curves& curves;
   const Reference_surface& surface;

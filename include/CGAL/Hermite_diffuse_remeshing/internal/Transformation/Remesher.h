@@ -38,7 +38,7 @@ class Remesher
   // because the longest and shortest edges shape the rest; then sqrt(2), the tightest band in which
   // the halves of a split edge are not short again; then slowly wider ones, so that the few edges
   // that would be split and collapsed in turn come to rest.
-  static constexpr double widest_band = 2., tightest_band = 1.25, widening = 1.04;
+  static constexpr double widest_band = 2., tightest_band = 1.25, widening = 1.08;
   static constexpr int number_of_tight_passes = 3;
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
   static constexpr double negligible_part = 5e-4;

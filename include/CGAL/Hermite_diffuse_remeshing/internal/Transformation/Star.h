@@ -127,6 +127,7 @@ public:
     for(double step = first_step; step >= last_step; )
     {
       const Site center = best;
+      bool is_moved = false;
       for(int i = 0; i < number_of_directions; ++i)
       {
         const double angle = 2. * boost::math::constants::pi<double>() * i / number_of_directions;
@@ -134,13 +135,14 @@ public:
         candidate.point = center.point + step * radius * (std::cos(angle) * frame.x_axis
                                                           + std::sin(angle) * frame.y_axis);
         const Badness b = badness(candidate);
-        if(b.sum < least_decrease * least.sum && b.worst_score >= least.worst_score)
+        if(b.sum < least_decrease * least.sum && b.worst_score >= least.worst_score - score_rounding)
         {
           least = b;
           best = candidate;
+          is_moved = true;
         }
       }
-      if(best.point == center.point)
+      if(!is_moved)
         step /= 2.;
     }
     return best.point == start.point ? start : m_reference.surface_site(best.point, start.location.face);

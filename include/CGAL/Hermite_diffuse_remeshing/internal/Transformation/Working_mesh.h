@@ -9,10 +9,13 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+
+#include <boost/container/static_vector.hpp>
 
 #include <utility>
 #include <vector>
@@ -86,6 +89,12 @@ public:
     return m_is_stopped;
   }
   bool is_stopped() const { return m_is_stopped; }
+  // for what only reads the mesh
+  void give_up_if_stopped() const
+  {
+    if(m_is_stopped || m_user.visitor.is_stop_requested())
+      throw Interrupted();
+  }
   bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }
   void report_progress(const double fraction) { m_user.visitor.progress(fraction); }
 
@@ -103,10 +112,11 @@ public:
     const halfedge_descriptor h_new = CGAL::Euler::split_edge(h, tm);
     const vertex_descriptor v = target(h_new, tm);
     set_edge(edge(h_new, tm), edge_data);
+    boost::container::static_vector<std::pair<face_descriptor, face_descriptor>, 2> parts;
     if(!CGAL::is_border(h, tm))
-      split_face(h_new, next(h, tm), face_data(face(h, tm)));
+      parts.push_back(split_face(h_new, next(h, tm)));
     if(!CGAL::is_border(o, tm))
-      split_face(o, next(opposite(h_new, tm), tm), face_data(face(o, tm)));
+      parts.push_back(split_face(o, next(opposite(h_new, tm), tm)));
 
     Vertex vertex;
     vertex.site = site;
@@ -116,6 +126,8 @@ public:
     touch_around(v);
     ++m_counts.splits;
     m_user.visitor.after_edge_split(v);
+    for(const std::pair<face_descriptor, face_descriptor>& part : parts)
+      m_user.visitor.after_face_split(part.first, part.second);
     return v;
   }
 
@@ -166,6 +178,7 @@ public:
 
   void relocate(const vertex_descriptor v, const Site& site)
   {
+    m_user.visitor.before_vertex_relocation(v);
     m_vertices[index(v)].site = site;
     put_point(v, site.point);
     touch_around(v);
@@ -182,9 +195,11 @@ public:
     touch_around(v);
     free_vertex(index(v));
     m_number_of_faces -= degree(v, tm) - 1;
-    fill_polygon(CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm), diagonals, data);
+    const std::vector<face_descriptor> parts =
+      fill_polygon(CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm), diagonals, data);
     ++m_counts.vertex_removals;
     m_user.visitor.after_vertex_removal();
+    tell_of_parts(parts);
   }
 
   // Replaces edges at the target of h by other diagonals of the same polygon: those between the face of h
@@ -192,16 +207,22 @@ public:
   void retriangulate_fan(const halfedge_descriptor h, const std::size_t number_of_edges, const Diagonals& diagonals)
   {
     TriangleMesh& tm = m_user.tmesh;
+    // the visitor, which may throw, sees the mesh before the first change and after the last
+    halfedge_descriptor g = h;
+    for(std::size_t i = 0; i < number_of_edges; ++i, g = opposite(next(g, tm), tm))
+      m_user.visitor.before_edge_flip(edge(next(g, tm), tm));
     touch_around(target(h, tm));
     const Face_data data = face_data(face(h, tm));
     for(std::size_t i = 0; i < number_of_edges; ++i)
     {
-      m_user.visitor.before_edge_flip(edge(next(h, tm), tm));
       CGAL::Euler::join_face(next(h, tm), tm);
       --m_number_of_faces;
       ++m_counts.flips;
     }
-    fill_polygon(h, diagonals, data);
+    const std::vector<face_descriptor> parts = fill_polygon(h, diagonals, data);
+    for(const std::pair<vertex_descriptor, vertex_descriptor>& ends : diagonals)
+      m_user.visitor.after_edge_flip(edge(ends.first, ends.second, tm).first);
+    tell_of_parts(parts);
   }
 
   // the size map has changed
@@ -224,6 +245,8 @@ public:
     for(const face_descriptor f : faces(tmesh()))
       if(is_remeshed(f) && has_changed(f, since))
       {
+        if(is_stopped())
+          return;
         const halfedge_descriptor h = halfedge(f, tmesh());
         const Vector centroid = (point(source(h, tmesh())) + point(target(h, tmesh()))
                                  + point(target(next(h, tmesh()), tmesh()))) / 3.;
@@ -247,29 +270,33 @@ private:
     put(m_user.face_patch, f, data.patch);
   }
 
-  // joins the targets of two halfedges of one face
-  halfedge_descriptor split_face(const halfedge_descriptor h, const halfedge_descriptor g, const Face_data& data)
+  // Joins the targets of two halfedges of one face; both parts inherit what the face knew. Returns the face
+  // and the new one.
+  std::pair<face_descriptor, face_descriptor> split_face(const halfedge_descriptor h, const halfedge_descriptor g)
   {
     TriangleMesh& tm = m_user.tmesh;
+    const face_descriptor f = face(h, tm);
+    const Face_data data = face_data(f);
     const halfedge_descriptor diagonal = CGAL::Euler::split_face(h, g, tm);
+    const halfedge_descriptor o = opposite(diagonal, tm);
     set_edge(edge(diagonal, tm), Edge());
     set_face_data(face(diagonal, tm), data);
-    set_face_data(face(opposite(diagonal, tm), tm), data);
+    set_face_data(face(o, tm), data);
     ++m_number_of_faces;
-    return diagonal;
+    return std::make_pair(f, face(diagonal, tm) == f ? face(o, tm) : face(diagonal, tm));
   }
 
-  // splits the face of h into triangles
-  void fill_polygon(const halfedge_descriptor h, const Diagonals& diagonals, const Face_data& data)
+  // splits the face of h into triangles, the first of which keeps its descriptor
+  std::vector<face_descriptor> fill_polygon(const halfedge_descriptor h, const Diagonals& diagonals, const Face_data& data)
   {
     const TriangleMesh& tm = tmesh();
     set_face_data(face(h, tm), data);
-    std::vector<halfedge_descriptor> parts(1, h);       // a halfedge of every part so far
+    std::vector<face_descriptor> parts(1, face(h, tm));
     for(const std::pair<vertex_descriptor, vertex_descriptor>& ends : diagonals)
-      for(const halfedge_descriptor part : parts)
+      for(const face_descriptor part : parts)
       {
         halfedge_descriptor to_first = Graph_traits::null_halfedge(), to_second = to_first;
-        for(const halfedge_descriptor g : CGAL::halfedges_around_face(part, tm))
+        for(const halfedge_descriptor g : CGAL::halfedges_around_face(halfedge(part, tm), tm))
         {
           if(target(g, tm) == ends.first)
             to_first = g;
@@ -278,11 +305,16 @@ private:
         }
         if(to_first == Graph_traits::null_halfedge() || to_second == Graph_traits::null_halfedge())
           continue;
-        const halfedge_descriptor diagonal = split_face(to_first, to_second, data);
-        parts.push_back(opposite(diagonal, tm));
-        parts.push_back(diagonal);
+        parts.push_back(split_face(to_first, to_second).second);
         break;
       }
+    return parts;
+  }
+
+  void tell_of_parts(const std::vector<face_descriptor>& parts)
+  {
+    for(std::size_t i = 1; i < parts.size(); ++i)
+      m_user.visitor.after_face_split(parts.front(), parts[i]);
   }
 
   void put_point(const vertex_descriptor v, const Vector& p)

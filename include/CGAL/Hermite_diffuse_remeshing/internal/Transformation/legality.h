@@ -24,7 +24,7 @@ constexpr double least_score = 0.02;
 
 inline bool is_score_acceptable(const double after, const double before, const double floor)
 {
-  return after > least_score ? after >= (std::min)(floor, before) : after > before + score_margin;
+  return after > least_score ? after >= (std::min)(floor, before) - score_rounding : after > before + score_margin;
 }
 
 template <typename UserMesh>

@@ -48,6 +48,24 @@ struct Quality_statistics
   double smallest = 1., mean = 0.;
 };
 
+template <typename IsSelected>
+Quality_statistics measure_quality(const Indexed_triangles& triangles, const IsSelected& is_selected)
+{
+  Quality_statistics result;
+  std::size_t number = 0;
+  for(int f = 0; f < triangles.number_of_faces(); ++f)
+  {
+    if(!is_selected(f))
+      continue;
+    const double q = quality(triangles.point(f, 0), triangles.point(f, 1), triangles.point(f, 2));
+    result.smallest = (std::min)(result.smallest, q);
+    result.mean += q;
+    ++number;
+  }
+  result.mean /= (std::max)(std::size_t(1), number);
+  return result;
+}
+
 template <typename UserMesh>
 Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh)
 {
@@ -84,7 +102,8 @@ double measure_size_conformity(const Working_mesh<UserMesh>& mesh)
 }
 
 // From the result to the model at vertices, edge middles and face centroids; on feature edges to the
-// curve. And back: from the vertices of the reference to the closest facet of the result.
+// curve. And back: from the vertices of the reference to the closest facet of the result. Throws
+// Interrupted on request.
 template <typename UserMesh>
 Deviations<UserMesh> measure_deviations(const Working_mesh<UserMesh>& mesh)
 {
@@ -145,6 +164,7 @@ Deviations<UserMesh> measure_deviations(const Working_mesh<UserMesh>& mesh)
 
   for(std::size_t i = 0; i < result.faces.size(); ++i)
   {
+    mesh.give_up_if_stopped();
     const int f = static_cast<int>(i);
     result.faces[i].location.face = mesh.hint(result.faces[i].face);
     result.faces[i].location.coordinates.fill(1. / 3.);
@@ -163,6 +183,7 @@ Deviations<UserMesh> measure_deviations(const Working_mesh<UserMesh>& mesh)
     const auto s = source(h, tm), t = target(h, tm);
     const Vector p = (mesh.point(s) + mesh.point(t)) / 2.;
     const int curve = mesh.curve(h);
+    mesh.give_up_if_stopped();
     if(curve == -1)
       add_projection(p, mesh.hint(h), {f, g});
     else
@@ -175,6 +196,7 @@ Deviations<UserMesh> measure_deviations(const Working_mesh<UserMesh>& mesh)
   {
     if(mesh.index(v) == -1)
       continue;
+    mesh.give_up_if_stopped();
     const halfedge_descriptor h = first_remeshed_halfedge(mesh, v);
     if(h != Mesh::Graph_traits::null_halfedge())
       add_projection(mesh.point(v), mesh.data(v).site.location.face, {get(index, face(h, tm))});
@@ -190,6 +212,7 @@ Deviations<UserMesh> measure_deviations(const Working_mesh<UserMesh>& mesh)
       if(is_done[v] || !mesh.is_reference_face_remeshed(f))
         continue;
       is_done[v] = true;
+      mesh.give_up_if_stopped();
       const std::pair<int, Vector> closest = tree.closest(triangles.points[v]);
       add(triangles.points[v], (closest.second - triangles.points[v]).norm(),
           reference.vertex_site(f, k).location, {closest.first});
@@ -213,7 +236,7 @@ void fill_report(const Working_mesh<UserMesh>& mesh, const Deviations<UserMesh>&
   report.mean_deviation = deviations.mean;
   for(int i = 0; i < 3; ++i)
     report.point_of_largest_deviation[i] = deviations.point_of_largest[i];
-  report.is_maximum_deviation_met = deviations.largest <= report.maximum_deviation;
+  report.is_maximum_deviation_met = report.is_deviation_measured && deviations.largest <= report.maximum_deviation;
   for(const auto& entry : deviations.faces)
     if(entry.deviation > report.maximum_deviation)
       report.faces_above_maximum_deviation.push_back(entry.face);

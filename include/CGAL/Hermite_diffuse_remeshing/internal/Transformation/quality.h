@@ -46,13 +46,21 @@ struct Worth
   }
 };
 
-// scores closer than this are the same
+// a better score is better by this at least
 constexpr double score_margin = 1e-6;
+// Equal scores and qualities, which symmetric triangles have, are computed with about this difference at
+// most: what may not fall may fall by so much, so that rounding does not decide.
+constexpr double score_rounding = 1e-9;
 
-// a change that is worth making: a better score, and no smaller quality
+inline bool is_no_worse(const Worth& after, const Worth& before)
+{
+  return after.score >= before.score - score_rounding && after.quality >= before.quality - score_rounding;
+}
+
+// a change that is worth making
 inline bool is_better(const Worth& after, const Worth& before)
 {
-  return after.score > before.score + score_margin && after.quality >= before.quality;
+  return after.score > before.score + score_margin && is_no_worse(after, before);
 }
 
 inline Worth worth(const Vector& a, const Vector& b, const Vector& c, const Vector& model_normal)

@@ -115,19 +115,21 @@ Site better_site_on_curve(const Working_mesh<UserMesh>& mesh,
   for(double step = first_step; step >= last_step; )
   {
     const double center = best.parameter;
+    bool is_moved = false;
     for(const double s : {center - step * length, center + step * length})
     {
       if(s <= ends.first || s >= ends.second)
         continue;
       const Site candidate = reference.curve_site(best.curve, s);
       const Star::Badness b = star.badness(candidate);
-      if(b.sum < (1. - score_margin) * least.sum && b.worst_score >= least.worst_score)
+      if(b.sum < (1. - score_margin) * least.sum && b.worst_score >= least.worst_score - score_rounding)
       {
         least = b;
         best = candidate;
+        is_moved = true;
       }
     }
-    if(best.parameter == center)
+    if(!is_moved)
       step /= 2.;
   }
   return best;
@@ -158,7 +160,7 @@ std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
     const Site& old_site = mesh.site(v);
     const Site site = better_site(mesh, v, star);
     const Worth worth_before = star.worth(old_site), worth_after = star.worth(site);
-    if(worth_after.score >= worth_before.score && worth_after.quality >= worth_before.quality
+    if(is_no_worse(worth_after, worth_before)
        && star.badness(site).sum < (1. - least_gain) * star.badness(old_site).sum)
       mesh.relocate(v, site);
   }

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MAKE_SIZE_MAP_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MAKE_SIZE_MAP_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Input_model.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// The user's budget of faces, or the cap that keeps an absurdly small size from eating the memory.
+template <typename Pack>
+std::size_t read_face_budget(const Pack& pack, const std::size_t number_of_input_faces)
+{
+  constexpr std::size_t default_number = 1000000, default_multiple = 10;
+  const std::size_t budget =
+    parameters::choose_parameter(parameters::get_parameter(pack, internal_np::maximum_number_of_faces), std::size_t(0));
+  return budget > 0 ? budget : (std::max)(default_number, default_multiple * number_of_input_faces);
+}
+
+// The sizes, scaled so that the faces that `is_selected(face)` takes meet the budget.
+template <typename IsSelected>
+std::unique_ptr<Size_map> make_size_map(const Input_model& model, const Size_options& options,
+                                        const std::size_t maximum_number_of_faces, const IsSelected& is_selected,
+                                        const Progress& progress = Progress())
+{
+  // cells and probes much closer than the faces that may come of them would be for nothing
+  constexpr double least_number_of_cells = 50000., cells_per_face = 4., probes_per_cell = 10.;
+  // the rest is for the places where the sizes do not fit the shape
+  constexpr double used_part = 0.9;
+  const double useful_cells = least_number_of_cells + cells_per_face * double(maximum_number_of_faces);
+  Size_options bounded = options;
+  bounded.maximum_number_of_cells = model.surface.triangles().number_of_faces()
+    + static_cast<int>((std::min)(double(options.maximum_number_of_cells), useful_cells));
+  bounded.maximum_number_of_probes = (std::min)(options.maximum_number_of_probes, probes_per_cell * useful_cells);
+  std::unique_ptr<Size_map> sizes(new Size_map(model.surface, model.edges, model.curves, bounded, progress));
+  sizes->limit_number_of_faces(used_part * double(maximum_number_of_faces), is_selected);
+  return sizes;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MAKE_SIZE_MAP_H

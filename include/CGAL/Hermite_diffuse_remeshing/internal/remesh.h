@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REMESH_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REMESH_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
+#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Supervisor.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/repair_input.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/write_output_maps.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// `result[i]`: is face i of the input among `faces`?
+template <typename FaceRange, typename TriangleMesh, typename GeomTraits>
+std::vector<char> select_faces(const FaceRange& faces, const Input_mesh<TriangleMesh, GeomTraits>& input)
+{
+  auto rank = get(CGAL::dynamic_face_property_t<int>(), input.tmesh);
+  for(std::size_t i = 0; i < input.face_descriptors.size(); ++i)
+    put(rank, input.face_descriptors[i], static_cast<int>(i));
+  std::vector<char> is_selected(input.face_descriptors.size(), false);
+  for(const auto f : faces)
+    is_selected[get(rank, f)] = true;
+  return is_selected;
+}
+
+template <typename TriangleMesh, typename GeomTraits, typename IsSelected>
+void describe_input(const Input_mesh<TriangleMesh, GeomTraits>& input, const IsSelected& is_selected,
+                    Remeshing_report<TriangleMesh>& report)
+{
+  report.number_of_input_faces = report.number_of_faces = input.face_descriptors.size();
+  report.number_of_vertices = input.vertex_descriptors.size();
+  const Quality_statistics quality = measure_quality(input.triangles, is_selected);
+  report.smallest_input_quality = report.smallest_quality = quality.smallest;
+  report.mean_input_quality = report.mean_quality = quality.mean;
+  report.number_of_isolated_vertices = count_isolated_vertices(input.triangles);
+  report.number_of_coincident_vertices = count_coincident_points(input.triangles.points);
+}
+
+template <typename TriangleMesh>
+void describe_preparation(const Input_model& model, const Size_map& sizes, const std::vector<char>& is_remeshed,
+                          Remeshing_report<TriangleMesh>& report)
+{
+  report.number_of_corners = std::count_if(model.vertex_classes.begin(), model.vertex_classes.end(), is_corner);
+  report.number_of_feature_edges = std::count_if(model.edge_classes.begin(), model.edge_classes.end(), is_feature);
+  report.number_of_curves = model.curves.curves.size();
+  report.size_scale = sizes.scale();
+  report.predicted_number_of_faces = sizes.number_of_faces([&](const int f) { return is_remeshed[f] != 0; })
+                                   + double(std::count(is_remeshed.begin(), is_remeshed.end(), false));
+}
+
+// The whole method, in the order of the paper: the input is classified and fitted, sizes follow from the
+// curvature, then the mesh is adapted to them, improved, and measured against the fit.
+template <typename FaceRange, typename TriangleMesh, typename Pack>
+Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmesh, const Pack& pack)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+  typedef typename Graph_traits::edge_descriptor edge_descriptor;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef Traits_of<TriangleMesh, Pack> GT;
+  typedef typename GetVertexPointMap<TriangleMesh, Pack>::type VPM;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, Pack,
+    Static_boolean_property_map<edge_descriptor, false> >::type ECM;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::face_patch_t, Pack,
+    Constant_property_map<face_descriptor, int> >::type FPM;
+  typedef Default_remeshing_visitor<TriangleMesh> Default_visitor;
+  typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
+    Visitor_reference;
+  typedef std::remove_reference_t<Visitor_reference> Visitor;
+  typedef Supervisor<TriangleMesh, Visitor> Watched_visitor;
+  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Watched_visitor> User;
+
+  // everything is read and checked before the first change
+  const VPM vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                                   get_property_map(CGAL::vertex_point, tmesh));
+  const ECM ecm = choose_parameter<ECM>(get_parameter(pack, internal_np::edge_is_constrained));
+  const FPM fpm = choose_parameter<FPM>(get_parameter(pack, internal_np::face_patch));
+  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
+  Default_visitor default_visitor;
+  Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
+  const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
+  check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
+  const double maximum_running_time =
+    choose_parameter(get_parameter(pack, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
+  check_positive_parameter("maximum_running_time", maximum_running_time);
+
+  Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
+  check_is_manifold(tmesh, input.vertex_descriptors, input.triangles);
+  const Size_options size_options = read_size_options(pack, input.traits, input.triangles, input.face_descriptors);
+
+  std::vector<char> is_remeshed = select_faces(faces, input);
+  const auto is_selected = [&](const int f) { return is_remeshed[f] != 0; };
+  const std::size_t maximum_number_of_faces = read_face_budget(pack, input.face_descriptors.size());
+
+  Remeshing_report<TriangleMesh> report;
+  describe_input(input, is_selected, report);
+  const std::vector<Repair> repairs = plan_repairs(input, pack, is_remeshed, report);
+  report.maximum_deviation = size_options.maximum_deviation;
+  Watched_visitor watched(visitor, report, maximum_running_time);
+
+  std::unique_ptr<Input_model> model;
+  std::unique_ptr<Size_map> sizes;
+  const bool is_prepared =
+    watched.stage("model", [&] { model = read_model(input, pack, watched.progress_of_stage()); })
+    && watched.stage("size map", [&]
+       { sizes = make_size_map(*model, size_options, maximum_number_of_faces, is_selected,
+                               watched.progress_of_stage()); });
+  if(!is_prepared)
+  {
+    report.stop_reason = watched.stop_reason();
+    return report;
+  }
+  describe_preparation(*model, *sizes, is_remeshed, report);
+
+  // from here on the mesh changes
+  const User user{tmesh, vpm, ecm, fpm, input.traits, watched};
+  if(!repairs.empty())
+    watched.stage("repair", [&] { carry_out_repairs(repairs, user, input); });
+  const Reference reference{model->edges, model->vertex_classes, model->curves, model->surface, model->locator,
+                            *sizes};
+  Working_mesh<User> mesh(user, reference, input.face_descriptors,
+                          is_remeshed,
+                          [&](const halfedge_descriptor h) { return protect && get(ecm, edge(h, tmesh)); },
+                          maximum_number_of_faces);
+  Remesher<User> remesher(mesh, static_cast<int>(iterations));
+  Deviations<User> deviations;
+  watched.stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
+  if(!watched.is_stopped())
+    watched.stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
+  if(!watched.is_stopped())
+    report.is_deviation_measured = watched.stage("deviation", [&]
+    { deviations = enforce_deviation(mesh, *sizes, remesher, size_options.maximum_deviation, report.stop_reason); });
+  if(watched.is_stopped())
+    report.stop_reason = watched.stop_reason();
+
+  fill_report(mesh, deviations, report);
+  report.number_of_iterations = remesher.number_of_iterations();
+  write_output_maps(mesh, deviations.faces, input.face_ranks, pack);
+  return report;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REMESH_H

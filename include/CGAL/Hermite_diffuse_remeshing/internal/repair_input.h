@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REPAIR_INPUT_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REPAIR_INPUT_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/plan_repairs.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <boost/container/static_vector.hpp>
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Replaces the copy of the mesh, not the mesh, by one without the degenerate faces that can be repaired, and
+// drops the flags of the faces that are gone. Returns the changes.
+template <typename TriangleMesh, typename GeomTraits, typename Pack>
+std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
+                                 std::vector<char>& is_remeshed, Remeshing_report<TriangleMesh>& report)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+
+  const double resolution = resolution_of_coordinates(input.triangles.points);
+  const std::size_t number = count_degenerate_faces(input.triangles, resolution);
+  if(number == input.face_descriptors.size())
+    throw std::invalid_argument("all faces are degenerate, from face 0 on: a surface without area has no shape");
+  if(number == 0)
+    return std::vector<Repair>();
+
+  const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
+                                    Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
+  const auto ecm = choose_parameter(get_parameter(pack, internal_np::edge_is_constrained),
+                                    Static_boolean_property_map<typename Graph_traits::edge_descriptor, false>());
+  const bool protect = choose_parameter(get_parameter(pack, internal_np::protect_constraints), false);
+  const auto is_constrained = [&](const int i)
+  {
+    const auto v = input.vertex_descriptors[i];
+    if(get(vcm, v))
+      return true;
+    if(protect && halfedge(v, input.tmesh) != Graph_traits::null_halfedge())
+      for(const auto h : CGAL::halfedges_around_target(v, input.tmesh))
+        if(get(ecm, edge(h, input.tmesh)))
+          return true;
+    return false;
+  };
+  Repair_planner planner(input.triangles, input.is_user_side, resolution,
+                         [&](const int f) { return is_remeshed[f] != 0; }, is_constrained);
+  const Repaired_triangles repaired = planner();
+  report.number_of_degenerate_input_faces = repaired.number_of_degenerate_faces;
+  report.number_of_unrepaired_faces = repaired.number_of_degenerate_faces_left;
+
+  input.triangles.triangles = repaired.triangles;
+  input.is_user_side = repaired.is_user_side;
+  for(std::size_t i = 0; i < repaired.faces.size(); ++i)
+  {
+    const int former = repaired.faces[i];          // never smaller than i
+    input.face_descriptors[i] = input.face_descriptors[former];
+    input.face_ranks[i] = input.face_ranks[former];
+    is_remeshed[i] = is_remeshed[former];
+  }
+  input.face_descriptors.resize(repaired.faces.size());
+  input.face_ranks.resize(repaired.faces.size());
+  is_remeshed.resize(repaired.faces.size());
+  return repaired.repairs;
+}
+
+// Removes the source of a halfedge; its target stays with its point, and merged edges are constrained if one
+// of the two was. Allocates nothing.
+template <typename User>
+typename boost::graph_traits<typename User::TriangleMesh>::vertex_descriptor
+collapse_at_target(User& user,
+                   const typename boost::graph_traits<typename User::TriangleMesh>::halfedge_descriptor h)
+{
+  typedef boost::graph_traits<typename User::TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  auto& tm = user.tmesh;
+  user.visitor.before_edge_collapse(h);
+  boost::container::static_vector<std::pair<vertex_descriptor, bool>, 2> merged;
+  for(const auto g : {h, opposite(h, tm)})
+    if(!is_border(g, tm))
+      merged.push_back(std::make_pair(target(next(g, tm), tm),
+                                      get(user.edge_is_constrained, edge(next(g, tm), tm))
+                                        || get(user.edge_is_constrained, edge(prev(g, tm), tm))));
+  const auto p = get(user.points, target(h, tm));
+  const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
+  put(user.points, v, p);
+  for(const auto& other : merged)
+  {
+    const auto e = edge(v, other.first, tm).first;
+    if(get(user.edge_is_constrained, e) != other.second)
+      put(user.edge_is_constrained, e, other.second);
+  }
+  user.visitor.after_edge_collapse(v);
+  return v;
+}
+
+// Repeats on the user's mesh what has been planned on the copy, and lets the faces begin at the corners that the
+// triangles begin at.
+template <typename User, typename TriangleMesh, typename GeomTraits>
+void carry_out_repairs(const std::vector<Repair>& repairs, User user, Input_mesh<TriangleMesh, GeomTraits>& input)
+{
+  TriangleMesh& tm = user.tmesh;
+  for(const Repair& repair : repairs)
+  {
+    const auto h = halfedge(input.vertex_descriptors[repair.source], input.vertex_descriptors[repair.target], tm).first;
+    if(repair.kind == Repair::COLLAPSE)
+      input.vertex_descriptors[repair.target] = collapse_at_target(user, h);
+    else
+    {
+      user.visitor.before_edge_flip(edge(h, tm));
+      CGAL::Euler::flip_edge(h, tm);
+      user.visitor.after_edge_flip(edge(h, tm));
+    }
+  }
+  for(std::size_t i = 0; i < input.face_descriptors.size(); ++i)
+  {
+    const auto f = input.face_descriptors[i];
+    const auto first = input.vertex_descriptors[input.triangles.triangles[i][0]];
+    auto h = halfedge(f, tm);
+    while(source(h, tm) != first)
+      h = next(h, tm);
+    if(h != halfedge(f, tm))
+      set_halfedge(f, h, tm);
+  }
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REPAIR_INPUT_H

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_WRITE_OUTPUT_MAPS_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_WRITE_OUTPUT_MAPS_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
+
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Writes where the vertices lie on the input, their sizes and the faces' origins and deviations. Face i of the
+// reference is the one with rank `face_ranks[i]` of the user's mesh.
+template <typename Mesh, typename Deviation, typename Pack>
+void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations,
+                       const std::vector<std::size_t>& face_ranks, const Pack& pack)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  typedef typename Mesh::face_descriptor face_descriptor;
+  const auto location_map = choose_parameter(get_parameter(pack, internal_np::vertex_location_map),
+    Constant_property_map<vertex_descriptor, std::pair<std::size_t, Barycentric> >());
+  const auto size_map = choose_parameter(get_parameter(pack, internal_np::vertex_size_map),
+    Constant_property_map<vertex_descriptor, double>());
+  const auto origin_map = choose_parameter(get_parameter(pack, internal_np::face_origin_map),
+    Constant_property_map<face_descriptor, std::size_t>());
+  const auto deviation_map = choose_parameter(get_parameter(pack, internal_np::face_deviation_map),
+    Constant_property_map<face_descriptor, double>());
+
+  for(const vertex_descriptor v : vertices(mesh.tmesh()))
+    if(mesh.index(v) != -1)
+    {
+      const Location& location = mesh.data(v).site.location;
+      put(location_map, v, std::make_pair(face_ranks[location.face], location.coordinates));
+      put(size_map, v, mesh.size(v));
+    }
+  for(const face_descriptor f : faces(mesh.tmesh()))
+    if(mesh.is_remeshed(f))
+      put(origin_map, f, face_ranks[mesh.hint(f)]);
+  for(const Deviation& entry : deviations)
+    put(deviation_map, entry.face, entry.deviation);
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_WRITE_OUTPUT_MAPS_H
