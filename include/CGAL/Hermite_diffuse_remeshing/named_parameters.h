@@ -54,6 +54,7 @@
   ADD(vertex_is_constrained_t, vertex_is_constrained, vertex_is_constrained_map) \
   ADD(protect_constraints_t, protect_constraints, protect_constraints)           \
   ADD(face_patch_t, face_patch, face_patch_map)                                  \
+  ADD(do_self_intersection_tests_t, do_self_intersection_tests, do_self_intersection_tests) \
   ADD(maximum_number_of_faces_t, maximum_number_of_faces, maximum_number_of_faces) \
   ADD(maximum_running_time_t, maximum_running_time, maximum_running_time)          \
   ADD(number_of_iterations_t, number_of_iterations, number_of_iterations)        \

@@ -210,6 +210,13 @@ namespace Polygon_mesh_processing {
  *     \cgalParamType{`double`, seconds, larger than 0}
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{do_self_intersection_tests}
+ *     \cgalParamDescription{if `true`, an operation whose triangles would meet other triangles of the mesh is
+ *       refused: a mesh without self-intersections gets none, and the number of pairs of faces that meet
+ *       does not grow.}
+ *     \cgalParamType{`bool`}
+ *     \cgalParamDefault{`true`}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and operations and may stop the remeshing}
  *     \cgalParamType{a model of `HermiteDiffuseRemeshingVisitor`, by value or by `std::ref`}

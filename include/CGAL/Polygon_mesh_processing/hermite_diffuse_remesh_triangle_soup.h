@@ -152,7 +152,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{approximation_error, sagitta, elements_per_circle, angle_per_element, sagitta_over_length,
  *     maximum_deviation, minimum_edge_length, maximum_edge_length, size_field, gradation, sharp_dihedral_angle,
  *     corner_angle, apex_angular_defect, polynomial_degree, hermite_weight, normal_estimation, surface_model,
- *     number_of_iterations, maximum_number_of_faces, maximum_running_time, protect_constraints}
+ *     number_of_iterations, maximum_number_of_faces, maximum_running_time, protect_constraints,
+ *     do_self_intersection_tests}
  *     \cgalParamDescription{as for `hermite_diffuse_remesh()`; a size field that asks for a face gets the index of a
  *       triangle}
  *   \cgalParamNEnd
@@ -282,7 +283,8 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   const User_mesh<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT, Watched_visitor>
     user{mesh, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt, watched};
   run_stages(user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
-             Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations)},
+             Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations),
+                           choose_parameter(get_parameter(pack, internal_np::do_self_intersection_tests), true)},
              [&]
              {
                return std::unique_ptr<Input_model>(

@@ -86,6 +86,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   Visitor_reference visitor = choose_parameter(get_parameter_reference(pack, internal_np::visitor), default_visitor);
   const double iterations = choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 10);
   check_parameter("number_of_iterations", iterations, 1, (std::numeric_limits<int>::max)());
+  const bool is_guarded = choose_parameter(get_parameter(pack, internal_np::do_self_intersection_tests), true);
   const double maximum_running_time =
     choose_parameter(get_parameter(pack, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
   check_positive_parameter("maximum_running_time", maximum_running_time);
@@ -106,7 +107,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
 
   const User user{tmesh, vpm, ecm, fpm, input.traits, watched};
   run_stages(user, input.face_descriptors, input.side_marks, is_remeshed,
-             Stage_options{size_options, maximum_number_of_faces, static_cast<int>(iterations)},
+             Stage_options{size_options, maximum_number_of_faces, static_cast<int>(iterations), is_guarded},
              [&] { return read_model(input, pack, watched.progress_of_stage()); },
              [&]
              {

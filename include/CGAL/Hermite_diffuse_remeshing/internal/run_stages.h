@@ -29,6 +29,7 @@ struct Stage_options
   Size_options sizes;
   std::size_t maximum_number_of_faces;
   int maximum_number_of_iterations;
+  bool is_guarded;                      // against new intersections
 };
 
 template <typename TriangleMesh>
@@ -73,7 +74,7 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
                             model->locator, *sizes};
   Working_mesh<User> mesh(user, reference, face_descriptors, is_remeshed,
                           [&](const int f, const int side) { return marks[f][side] == MARKED_PROTECTED; },
-                          options.maximum_number_of_faces);
+                          options.maximum_number_of_faces, options.is_guarded);
   Remesher<User> remesher(mesh, options.maximum_number_of_iterations);
   Deviations<User> deviations;
   watched.stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });

@@ -53,6 +53,14 @@ public:
     return best.worth;
   }
 
+  std::vector<std::array<vertex_descriptor, 3> > triangles() const
+  {
+    std::vector<std::array<vertex_descriptor, 3> > result;
+    for(const Corner_triple& t : m_triangles)
+      result.push_back({{m_corners[t[0]], m_corners[t[1]], m_corners[t[2]]}});
+    return result;
+  }
+
   typename Mesh::Diagonals diagonals() const
   {
     typename Mesh::Diagonals result;

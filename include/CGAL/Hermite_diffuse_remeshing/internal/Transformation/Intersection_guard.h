@@ -43,7 +43,7 @@ class Intersection_guard
   Place_map m_places;
 
 public:
-  explicit Intersection_guard(const TriangleMesh& tmesh)
+  explicit Intersection_guard(TriangleMesh& tmesh)
     : m_places(get(CGAL::dynamic_face_property_t<Place>(), tmesh))
   {
     for(const face_descriptor f : faces(tmesh))

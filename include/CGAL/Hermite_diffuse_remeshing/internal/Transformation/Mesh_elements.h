@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Junctions.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/do_triangles_meet.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -169,6 +170,13 @@ public:
   double relative_length(const halfedge_descriptor h) const
   {
     return 2. * length(h) / (size(source(h, tmesh())) + size(target(h, tmesh())));
+  }
+
+  Numbered_triangle triangle(const face_descriptor f) const
+  {
+    const halfedge_descriptor h = halfedge(f, tmesh());
+    const vertex_descriptor a = source(h, tmesh()), b = target(h, tmesh()), c = target(next(h, tmesh()), tmesh());
+    return {{{index(a), index(b), index(c)}}, {{point(a), point(b), point(c)}}};
   }
 
   // numbers of the ends, smaller first: an order of the edges that is the same for every mesh type

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Intersection_guard.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
 
 #include <CGAL/assertions.h>
@@ -18,6 +19,7 @@
 #include <boost/container/static_vector.hpp>
 
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -59,12 +61,14 @@ private:
   std::size_t m_maximum_number_of_faces;
   Operation_counts m_counts;
   bool m_is_stopped = false;
+  std::unique_ptr<Intersection_guard<TriangleMesh> > m_guard;     // null: intersections are not looked for
 
 public:
   using Base::tmesh;
   using Base::index;
   using Base::point;
   using Base::hint;
+  using Base::triangle;
   using Base::is_remeshed;
   using Base::is_on_curve;
   using Base::siblings;
@@ -81,10 +85,16 @@ public:
                const std::vector<face_descriptor>& faces_of_reference,
                const std::vector<char>& is_remeshed,
                const IsFrozen& is_edge_frozen,
-               const std::size_t maximum_number_of_faces)
+               const std::size_t maximum_number_of_faces, const bool is_guarded)
     : Base(user, reference, faces_of_reference, is_remeshed, is_edge_frozen)
     , m_maximum_number_of_faces(maximum_number_of_faces)
-  {}
+  {
+    if(!is_guarded)
+      return;
+    m_guard.reset(new Intersection_guard<TriangleMesh>(m_user.tmesh));
+    for(const face_descriptor f : faces(tmesh()))
+      note(f);
+  }
 
   const Operation_counts& counts() const { return m_counts; }
 
@@ -105,6 +115,14 @@ public:
   bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }
   void report_progress(const double fraction) { m_user.visitor.progress(fraction); }
 
+  // \name Self-intersections
+  bool is_guarded() const { return m_guard != nullptr; }
+  // may the one triangles take the place of the others?
+  bool is_free(const Numbered_triangles& made, const Numbered_triangles& replaced) const
+  {
+    return !m_guard || m_guard->allows(made, replaced, [this](const face_descriptor f) { return triangle(f); });
+  }
+
   // \name Operations
   // The caller has made sure that they are legal.
 
@@ -121,6 +139,7 @@ public:
       copies.push_back(split_sibling(sibling, number));
     m_vertices[number].descriptor = copies.front();
     m_junctions.set(number, copies);
+    note_around(copies.front());
     touch_around(copies.front());
     ++m_counts.splits;
     return copies.front();
@@ -132,6 +151,8 @@ public:
     const int kept = index(target(h, tmesh())), removed = index(source(h, tmesh()));
     m_vertices[kept].site = site;
     vertex_descriptor v = target(h, tmesh());
+    forget_around(v);
+    forget_around(source(h, tmesh()));
     for(const halfedge_descriptor sibling : siblings(h))
     {
       const vertex_descriptor stayed = collapse_sibling(sibling, kept);
@@ -141,6 +162,7 @@ public:
     free_vertex(removed);
     m_vertices[kept].descriptor = v;
     visit_copies(v, [&](const vertex_descriptor copy) { put_point(copy, site.point); });
+    note_around(v);
     touch_around(v);
     ++m_counts.collapses;
     return v;
@@ -152,6 +174,8 @@ public:
     m_user.visitor.before_edge_flip(edge(h, tm));
     touch_quadrangle(h);
     CGAL::Euler::flip_edge(h, tm);
+    note(face(h, tm));
+    note(face(opposite(h, tm), tm));
     ++m_counts.flips;
     m_user.visitor.after_edge_flip(edge(h, tm));
   }
@@ -165,6 +189,7 @@ public:
       put_point(copy, site.point);
       m_user.visitor.after_vertex_relocation(copy);
     });
+    note_around(v);
     touch_around(v);
     ++m_counts.relocations;
   }
@@ -176,6 +201,7 @@ public:
     m_user.visitor.before_vertex_removal(v);
     const Face_data data = face_data(face(halfedge(v, tm), tm));
     touch_around(v);
+    forget_around(v);
     free_vertex(index(v));
     m_number_of_faces -= degree(v, tm) - 1;
     const std::vector<face_descriptor> parts =
@@ -183,6 +209,8 @@ public:
     ++m_counts.vertex_removals;
     m_user.visitor.after_vertex_removal();
     tell_of_parts(parts);
+    for(const face_descriptor f : parts)
+      note(f);
   }
 
   // Replaces edges at the target of h by other diagonals of the same polygon: those between the face of h
@@ -195,6 +223,7 @@ public:
     for(std::size_t i = 0; i < number_of_edges; ++i, g = opposite(next(g, tm), tm))
       m_user.visitor.before_edge_flip(edge(next(g, tm), tm));
     touch_around(target(h, tm));
+    forget_around(target(h, tm));
     const Face_data data = face_data(face(h, tm));
     for(std::size_t i = 0; i < number_of_edges; ++i)
     {
@@ -206,6 +235,9 @@ public:
     for(const std::pair<vertex_descriptor, vertex_descriptor>& ends : diagonals)
       m_user.visitor.after_edge_flip(edge(ends.first, ends.second, tm).first);
     tell_of_parts(parts);
+    for(const face_descriptor f : parts)
+      note(f);
+    note_around(target(h, tm));
   }
 
   // the size map has changed
@@ -239,6 +271,35 @@ public:
   }
 
 private:
+  void note(const face_descriptor f)
+  {
+    if(m_guard)
+      m_guard->note(f, triangle(f).points);
+  }
+
+  void note_around(const vertex_descriptor v)
+  {
+    if(m_guard)
+      visit_copies(v, [&](const vertex_descriptor copy)
+      {
+        for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
+          if(!CGAL::is_border(h, tmesh()))
+            note(face(h, tmesh()));
+      });
+  }
+
+  // before faces around v are removed
+  void forget_around(const vertex_descriptor v)
+  {
+    if(m_guard)
+      visit_copies(v, [&](const vertex_descriptor copy)
+      {
+        for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
+          if(!CGAL::is_border(h, tmesh()))
+            m_guard->forget(face(h, tmesh()));
+      });
+  }
+
   // what new faces inherit from the one whose place they take
   struct Face_data
   {

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
@@ -131,7 +132,8 @@ bool collapse_if_legal(Working_mesh<UserMesh>& mesh,
     return false;
   const Star star = star_after_collapse(mesh, h, Star::MEAN);
   for(const Site& site : collapse_sites(mesh, h))
-    if(are_edges_acceptable_after_collapse(mesh, h, site, longest_length) && is_acceptable(star.worth(site)))
+    if(are_edges_acceptable_after_collapse(mesh, h, site, longest_length) && is_acceptable(star.worth(site))
+       && is_collapse_free(mesh, h, site))
     {
       mesh.collapse_edge(h, site);
       return true;

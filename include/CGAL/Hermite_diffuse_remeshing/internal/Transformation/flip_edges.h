@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_FLIP_EDGES_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 
 #include <CGAL/number_utils.h>
@@ -149,7 +150,7 @@ std::size_t flip_edges(Working_mesh<UserMesh>& mesh, const Flip_criterion criter
   {
     if(mesh.is_stopped())
       break;
-    if(is_flip_legal(mesh, candidate.halfedge, criterion))
+    if(is_flip_legal(mesh, candidate.halfedge, criterion) && is_flip_free(mesh, candidate.halfedge))
       mesh.flip_edge(candidate.halfedge);
   }
   return mesh.counts().flips - before;

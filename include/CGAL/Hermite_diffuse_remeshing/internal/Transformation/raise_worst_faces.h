@@ -331,8 +331,26 @@ private:
     plan.site = site;
   }
 
+  bool is_free(const Plan& plan) const
+  {
+    switch(plan.kind)
+    {
+      case NOTHING:              return false;
+      case FLIP:
+      case FLIP_AND_RELOCATION:  return is_flip_free(m_mesh, plan.halfedge);
+      case RELOCATION:           return is_relocation_free(m_mesh, plan.vertex, plan.site);
+      case COLLAPSE:             return is_collapse_free(m_mesh, plan.halfedge, plan.site);
+      case SPLIT:                return is_split_free(m_mesh, plan.halfedge, plan.site);
+      case VERTEX_REMOVAL:       return plan.vertex_removal.is_free(m_mesh);
+      case CURVE_VERTEX_REMOVAL: return plan.curve_vertex_removal.is_free(m_mesh);
+    }
+    return false;
+  }
+
   bool execute(const Plan& plan)
   {
+    if(!is_free(plan))
+      return false;
     switch(plan.kind)
     {
       case NOTHING:              return false;
@@ -344,6 +362,11 @@ private:
       case CURVE_VERTEX_REMOVAL: plan.curve_vertex_removal.execute(m_mesh); break;
       case FLIP_AND_RELOCATION:
         m_mesh.flip_edge(plan.halfedge);
+        if(!is_relocation_free(m_mesh, plan.vertex, plan.site))
+        {
+          m_mesh.flip_edge(plan.halfedge);      // back
+          return false;
+        }
         m_mesh.relocate(plan.vertex, plan.site);
         break;
     }

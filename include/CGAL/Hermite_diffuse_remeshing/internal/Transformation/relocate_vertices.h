@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RELOCATE_VERTICES_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
@@ -80,7 +81,8 @@ std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
     star.add(mesh, v);
     // the centroid makes good triangles on the whole; a mild loss of the worst is allowed above this
     constexpr double good_score = 0.6;
-    if(is_score_acceptable(star.worth(site).score, star.worth(old_site).score, good_score))
+    if(is_score_acceptable(star.worth(site).score, star.worth(old_site).score, good_score)
+       && is_relocation_free(mesh, v, site))
       mesh.relocate(v, site);
   }
   return mesh.counts().relocations - before;
@@ -147,7 +149,7 @@ std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
     const Site site = better_site(mesh, v, star);
     const Worth worth_before = star.worth(old_site), worth_after = star.worth(site);
     if(is_no_worse(worth_after, worth_before)
-       && star.badness(site).sum < (1. - least_gain) * star.badness(old_site).sum)
+       && star.badness(site).sum < (1. - least_gain) * star.badness(old_site).sum && is_relocation_free(mesh, v, site))
       mesh.relocate(v, site);
   }
   return mesh.counts().relocations - before;

@@ -52,6 +52,8 @@ public:
     return m_contour.fill(mesh, mesh.hint(first));
   }
 
+  bool is_free(const Mesh& mesh) const { return is_filling_free(mesh, m_vertex, {&m_contour}); }
+
   void execute(Mesh& mesh) const { mesh.remove_vertex(m_vertex, m_contour.diagonals()); }
 };
 
@@ -107,6 +109,9 @@ public:
         result.add(m_contours[i].size() < 3 ? Worth{-1., 0.} : m_contours[i].fill(mesh, hints[i]));
     return result;
   }
+
+  bool is_free(const Mesh& mesh) const
+  { return is_filling_free(mesh, source(m_halfedge, mesh.tmesh()), {&m_contours[0], &m_contours[1]}); }
 
   void execute(Mesh& mesh) const
   {

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 
 #include <algorithm>
@@ -89,8 +90,7 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
 
 // Splits the edges that are longer than `bound` times their size, or too far from their feature curve, longest
 // first; edges that are still too long after that are met again in the next round. Lengths halve, so the
-// rounds end. Only edges
-// with changes around them are looked at.
+// rounds end. Only edges with changes around them are looked at.
 template <typename UserMesh>
 std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
 {
@@ -102,14 +102,14 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, c
   {
     const std::size_t before_round = mesh.counts().splits;
     const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h, const double length)
-                                     { return (length > bound || !is_faithful(mesh, h)) 
+                                     { return (length > bound || !is_faithful(mesh, h))
                                               && mesh.has_changed(h, since) && !mesh.is_protected(h); });
     for(const auto& candidate : queue)
     {
       if(mesh.is_stopped() || mesh.is_full())
         return mesh.counts().splits - before;
       const Site site = middle_site(mesh, candidate.halfedge);
-      if(is_split_legal(mesh, candidate.halfedge, site))
+      if(is_split_legal(mesh, candidate.halfedge, site) && is_split_free(mesh, candidate.halfedge, site))
         mesh.split_edge(candidate.halfedge, site);
     }
     if(mesh.counts().splits == before_round)

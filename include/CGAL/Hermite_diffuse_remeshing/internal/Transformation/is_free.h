@@ -1,0 +1,158 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_IS_FREE_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_IS_FREE_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Contour.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Would an operation make triangles that meet others? The triangles that it makes come from those that it
+// replaces by exchanging corners.
+
+// a number that no vertex has
+constexpr int number_of_new_vertex = -2;
+
+// faces around vertices and all their copies, each once
+template <typename UserMesh>
+Numbered_triangles
+triangles_around(const Working_mesh<UserMesh>& mesh,
+                 const std::initializer_list<typename Working_mesh<UserMesh>::vertex_descriptor> vertices)
+{
+  Numbered_triangles result;
+  for(const auto v : vertices)
+    mesh.visit_copies(v, [&](const auto copy)
+    {
+      for(const auto h : CGAL::halfedges_around_target(copy, mesh.tmesh()))
+      {
+        if(CGAL::is_border(h, mesh.tmesh()))
+          continue;
+        const Numbered_triangle t = mesh.triangle(face(h, mesh.tmesh()));
+        if(std::none_of(result.begin(), result.end(), [&](const auto& other) { return other.vertices == t.vertices; }))
+          result.push_back(t);
+      }
+    });
+  return result;
+}
+
+// a triangle with another vertex in the place of the one with the number `old_number`
+inline Numbered_triangle with_corner(Numbered_triangle t, const int old_number, const int number, const Vector& point)
+{
+  for(int i = 0; i < 3; ++i)
+    if(t.vertices[i] == old_number)
+    {
+      t.vertices[i] = number;
+      t.points[i] = point;
+    }
+  return t;
+}
+
+template <typename UserMesh>
+bool is_relocation_free(const Working_mesh<UserMesh>& mesh,
+                        const typename Working_mesh<UserMesh>::vertex_descriptor v, const Site& site)
+{
+  if(!mesh.is_guarded())
+    return true;
+  const Numbered_triangles replaced = triangles_around(mesh, {v});
+  Numbered_triangles made;
+  for(const Numbered_triangle& t : replaced)
+    made.push_back(with_corner(t, mesh.index(v), mesh.index(v), site.point));
+  return mesh.is_free(made, replaced);
+}
+
+template <typename UserMesh>
+bool is_collapse_free(const Working_mesh<UserMesh>& mesh,
+                      const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
+{
+  if(!mesh.is_guarded())
+    return true;
+  const auto s = source(h, mesh.tmesh()), t = target(h, mesh.tmesh());
+  const Numbered_triangles replaced = triangles_around(mesh, {s, t});
+  Numbered_triangles made;
+  for(const Numbered_triangle& triangle : replaced)
+  {
+    const Numbered_triangle moved = with_corner(with_corner(triangle, mesh.index(t), mesh.index(t), site.point),
+                                                mesh.index(s), mesh.index(t), site.point);
+    if(std::count(moved.vertices.begin(), moved.vertices.end(), mesh.index(t)) == 1)
+      made.push_back(moved);
+  }
+  return mesh.is_free(made, replaced);
+}
+
+template <typename UserMesh>
+bool is_split_free(const Working_mesh<UserMesh>& mesh,
+                   const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
+{
+  if(!mesh.is_guarded())
+    return true;
+  const auto& tm = mesh.tmesh();
+  Numbered_triangles made, replaced;
+  for(const auto sibling : mesh.siblings(h))
+    for(const auto side : {sibling, opposite(sibling, tm)})
+    {
+      if(CGAL::is_border(side, tm))
+        continue;
+      replaced.push_back(mesh.triangle(face(side, tm)));
+      made.push_back(with_corner(replaced.back(), mesh.index(source(side, tm)), number_of_new_vertex, site.point));
+      made.push_back(with_corner(replaced.back(), mesh.index(target(side, tm)), number_of_new_vertex, site.point));
+    }
+  return mesh.is_free(made, replaced);
+}
+
+template <typename UserMesh>
+bool is_flip_free(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  if(!mesh.is_guarded())
+    return true;
+  const auto& tm = mesh.tmesh();
+  const auto o = opposite(h, tm);
+  const auto c = target(next(h, tm), tm), d = target(next(o, tm), tm);
+  Numbered_triangles made, replaced;
+  replaced.push_back(mesh.triangle(face(h, tm)));
+  replaced.push_back(mesh.triangle(face(o, tm)));
+  made.push_back(with_corner(replaced[0], mesh.index(target(h, tm)), mesh.index(d), mesh.point(d)));
+  made.push_back(with_corner(replaced[1], mesh.index(source(h, tm)), mesh.index(c), mesh.point(c)));
+  return mesh.is_free(made, replaced);
+}
+
+// may contours take the place of the faces around a vertex?
+template <typename UserMesh>
+bool is_filling_free(const Working_mesh<UserMesh>& mesh,
+                     const typename Working_mesh<UserMesh>::vertex_descriptor v,
+                     const std::initializer_list<const Contour<UserMesh>*> contours)
+{
+  if(!mesh.is_guarded())
+    return true;
+  Numbered_triangles made;
+  for(const Contour<UserMesh>* const contour : contours)
+    for(const auto& corners : contour->triangles())
+    {
+      Numbered_triangle t;
+      for(int i = 0; i < 3; ++i)
+      {
+        t.vertices[i] = mesh.index(corners[i]);
+        t.points[i] = mesh.point(corners[i]);
+      }
+      made.push_back(t);
+    }
+  return mesh.is_free(made, triangles_around(mesh, {v}));
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_IS_FREE_H
