@@ -2,10 +2,12 @@
 # Installs what is missing, builds the tests and examples with assertions on, and runs them.
 # The last line is `N passed, N failed`.
 #
-#   test/run_tests.sh [--cgal DIR] [--build DIR] [--check-sources]
+#   test/run_tests.sh [--cgal DIR] [--build DIR] [--check-sources] [--sanitize KIND]
 #
 #   --cgal DIR       the root of an unpacked libcgal-dev package to use instead of the installed one
 #   --build DIR      the build folder (build/test, or build/test-cgal with --cgal)
+#   --sanitize KIND  with the address and undefined-behaviour sanitizers, KIND `address`, or with that of
+#                    threads, KIND `thread`; needs hours on one core
 #   --check-sources  also check the sources themselves: every header alone, warnings, includes
 #
 # CXX and CXXFLAGS are passed on to CMake.
@@ -17,11 +19,21 @@ root=$(realpath "$(dirname "$0")/..")
 cgal=
 build=
 check_sources=OFF
+sanitizer=
 while [ $# -gt 0 ]; do
   case "$1" in
     --cgal|--build)
       [ $# -ge 2 ] || { echo "$1 needs a folder" >&2; exit 2; }
       if [ "$1" = --cgal ]; then cgal=$(realpath "$2"); else build=$(realpath -m "$2"); fi
+      shift 2
+      ;;
+    --sanitize)
+      case "${2:-}" in
+        address) sanitizer="-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer" ;;
+        thread)  sanitizer="-fsanitize=thread" ;;
+        *)       echo "--sanitize needs address or thread" >&2; exit 2 ;;
+      esac
+      build=${build:-$root/build/test-$2}
       shift 2
       ;;
     --check-sources)
@@ -35,6 +47,8 @@ while [ $# -gt 0 ]; do
   esac
 done
 : "${build:=$root/build/test${cgal:+-cgal}}"
+
+export CXXFLAGS="${CXXFLAGS:-} $sanitizer"
 
 packages=(g++ cmake make libgmp-dev libmpfr-dev libboost-dev libboost-program-options-dev
           libeigen3-dev libtbb-dev)

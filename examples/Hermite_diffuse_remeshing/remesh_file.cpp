@@ -56,7 +56,8 @@ struct Options
   double sharp_angle = 40.;
   double corner_angle = 60.;
   int iterations = 10;
-  std::size_t maximum_number_of_faces = std::size_t((std::numeric_limits<int>::max)());
+  std::size_t maximum_number_of_faces = 0;
+  double maximum_running_time = std::numeric_limits<double>::infinity();
   bool is_prediction = false;
   bool is_quiet = false;
   bool is_help_wanted = false;
@@ -99,7 +100,8 @@ po::options_description visible_options(Options& o)
     ("corner-angle", number(o.corner_angle, "DEG"),
      "feature curves that turn more have a corner (60)")
     ("maximum-number-of-faces", number(o.maximum_number_of_faces, "N"),
-     "scale the sizes to meet this (no limit)")
+     "scale the sizes to meet this (1000000, or ten times the input)")
+    ("maximum-running-time", number(o.maximum_running_time, "SECONDS"), "stop after this time (no limit)")
     ("predict", po::bool_switch(&o.is_prediction),
      "print the number of faces to expect, and write nothing")
     ("iterations", number(o.iterations, "N"), "largest number of passes (10)")
@@ -266,6 +268,7 @@ Result remesh(Mesh& mesh, const Options& o)
     result.report = PMP::hermite_diffuse_remesh(mesh,
       size_parameters(o)
         .number_of_iterations(o.iterations)
+        .maximum_running_time(o.maximum_running_time)
         .vertex_location_map(location_map)
         .vertex_size_map(size_map)
         .face_deviation_map(deviation_map)

@@ -1,4 +1,8 @@
+// The tables of the manual: what is refused, what is repaired, and what is accepted as it is.
+
 #include "test_helpers.h"
+
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 
 #include <limits>
 #include <stdexcept>
@@ -27,6 +31,209 @@ void expect_refusal(const Surface_mesh& input, const NamedParameters& np, const 
     {
       const double before = input.point(v)[i], after = mesh.point(v)[i];
       assert(before == after || (std::isnan(before) && std::isnan(after)));
+    }
+}
+
+// ---- meshes with one defect -------------------------------------------------------------------------
+
+Surface_mesh tetrahedron(const double scale = 1., const double shift = 0.)
+{
+  Surface_mesh mesh;
+  CGAL::make_tetrahedron(Point_3(shift, shift, shift), Point_3(shift + scale, shift, shift),
+                         Point_3(shift, shift + scale, shift), Point_3(shift, shift, shift + scale), mesh);
+  return mesh;
+}
+
+// the flip of an edge of a tetrahedron joins two vertices that are joined already
+Surface_mesh mesh_with_double_edge()
+{
+  Surface_mesh mesh = tetrahedron();
+  CGAL::Euler::flip_edge(mesh.halfedge(*mesh.edges().begin()), mesh);
+  return mesh;
+}
+
+// two closed surfaces with one vertex in common
+Surface_mesh mesh_with_pinched_vertex()
+{
+  Surface_mesh mesh = tetrahedron(), other = tetrahedron(-1.);
+  mesh += other;
+  const Surface_mesh::Vertex_index kept(0), gone(4);
+  for(const auto h : mesh.halfedges())
+    if(mesh.target(h) == gone)
+      mesh.set_target(h, kept);
+  mesh.remove_vertex(gone);
+  return mesh;
+}
+
+Surface_mesh grid(const int n, const double height)
+{
+  analytic::Triangles t;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i)
+      t.points.push_back({{double(i) / n, double(j) / n, height * std::cos(3. * i / n)}});
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      const std::size_t v = j * (n + 1) + i, w = v + n + 1;
+      t.faces.push_back({{v, v + 1, w + 1}});
+      t.faces.push_back({{v, w + 1, w}});
+    }
+  return make_mesh<Surface_mesh>(t);
+}
+
+// Splits an inner edge at a point and joins it to the two opposite vertices.
+Surface_mesh::Vertex_index split_at(Surface_mesh& mesh, const Surface_mesh::Halfedge_index h, const Point_3& p)
+{
+  const auto o = mesh.opposite(h);
+  const auto first = CGAL::Euler::split_edge(h, mesh);
+  const auto v = mesh.target(first);
+  mesh.point(v) = p;
+  CGAL::Euler::split_face(first, mesh.next(h), mesh);
+  CGAL::Euler::split_face(o, mesh.next(mesh.opposite(first)), mesh);
+  return v;
+}
+
+Surface_mesh::Halfedge_index inner_halfedge(const Surface_mesh& mesh)
+{
+  for(const auto h : mesh.halfedges())
+    if(!mesh.is_border(mesh.source(h)) && !mesh.is_border(mesh.target(h)))
+      return h;
+  return Surface_mesh::null_halfedge();
+}
+
+// ---- tests ------------------------------------------------------------------------------------------
+
+void test_refusals()
+{
+  expect_refusal(mesh_with_double_edge(), params::default_values(), "edges between vertices");
+  expect_refusal(mesh_with_pinched_vertex(), params::default_values(), "fans of faces at vertex 0");
+  Surface_mesh flat = grid(3, 0.);
+  for(const auto v : flat.vertices())
+    flat.point(v) = Point_3(flat.point(v).x() + flat.point(v).y(), 0., 0.);
+  expect_refusal(flat, params::default_values(), "degenerate");
+  for(const double scale : {1e-60, 1e60, 1e200, 1e-300})
+    expect_refusal(tetrahedron(scale), params::default_values(), "diameter");
+  expect_refusal(tetrahedron(), params::approximation_error(0.01).maximum_edge_length(1e-16), "maximum_edge_length");
+  expect_refusal(tetrahedron(), params::approximation_error(0.01).maximum_running_time(-1.), "maximum_running_time");
+}
+
+// degenerate faces go before features are looked for: the result has none, and no corner for them
+void test_repairs()
+{
+  for(const double height : {0., 0.1})
+  {
+    // two vertices at one place: the four faces around the edge between them
+    Surface_mesh mesh = grid(8, height);
+    const auto h = inner_halfedge(mesh);
+    split_at(mesh, h, mesh.point(mesh.target(h)));
+    Surface_mesh input = mesh;
+    auto report = PMP::hermite_diffuse_remesh(mesh);
+    assert(report.number_of_degenerate_input_faces == 2 && report.number_of_unrepaired_faces == 0);
+    assert(report.number_of_coincident_vertices == 1);
+    assert(report.number_of_corners == 4 && report.number_of_feature_edges == 32);
+    assert(report.smallest_quality > 0.3);
+    assert(CGAL::is_valid_polygon_mesh(mesh) && euler_characteristic(mesh) == euler_characteristic(input));
+    assert(has_all_points(mesh, corners(grid(8, height))));
+
+    // a vertex inside the longest edge of a face: the edge is split for one of its faces only
+    for(const bool is_single : {false, true})
+    {
+      mesh = grid(8, height);
+      const auto g = inner_halfedge(mesh);
+      Point_3 p = CGAL::midpoint(mesh.point(mesh.source(g)), mesh.point(mesh.target(g)));
+      if(is_single)
+      {
+        for(const auto v : mesh.vertices())
+          mesh.point(v) = Point_3(float(mesh.point(v).x()), float(mesh.point(v).y()), float(mesh.point(v).z()));
+        p = Point_3(float(p.x()) + 3e-8, float(p.y()) - 3e-8, float(p.z()));
+        p = Point_3(float(p.x()), float(p.y()), float(p.z()));
+      }
+      // the face at the other side becomes a thin one and two others
+      const auto c = CGAL::Euler::add_center_vertex(g, mesh);
+      mesh.point(mesh.target(c)) = p;
+      input = mesh;
+      report = PMP::hermite_diffuse_remesh(mesh);
+      assert(report.number_of_degenerate_input_faces == 1 && report.number_of_unrepaired_faces == 0);
+      assert(report.number_of_corners == 4 && report.number_of_feature_edges == 32);
+      assert(report.smallest_quality > 0.3);
+      assert(CGAL::is_valid_polygon_mesh(mesh) && euler_characteristic(mesh) == euler_characteristic(input));
+    }
+  }
+
+  // what is protected stays, and is reported
+  Surface_mesh mesh = grid(4, 0.1);
+  const auto h = inner_halfedge(mesh);
+  const auto v = split_at(mesh, h, mesh.point(mesh.target(h)));
+  auto is_corner = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:corner", false).first;
+  is_corner[v] = is_corner[mesh.target(h)] = true;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.05).vertex_is_constrained_map(is_corner));
+  assert(report.number_of_degenerate_input_faces == 2 && report.number_of_unrepaired_faces == 2);
+  assert(CGAL::is_valid_polygon_mesh(mesh));
+}
+
+void test_accepted_as_they_are()
+{
+  // isolated vertices stay
+  Surface_mesh mesh = tetrahedron();
+  const auto isolated = mesh.add_vertex(Point_3(7., 8., 9.));
+  auto report = PMP::hermite_diffuse_remesh(mesh);
+  assert(report.number_of_isolated_vertices == 1 && !mesh.is_removed(isolated));
+  assert(mesh.point(isolated) == Point_3(7., 8., 9.));
+
+  // borders that touch are not stitched: a slit may be meant
+  mesh = grid(4, 0.);
+  Surface_mesh other = mesh;
+  for(const auto v : other.vertices())
+    other.point(v) = Point_3(other.point(v).x() + 1., other.point(v).y(), other.point(v).z());
+  mesh += other;
+  report = PMP::hermite_diffuse_remesh(mesh);
+  assert(report.number_of_coincident_vertices == 5);
+  assert(number_of_border_loops(mesh) == 2);
+
+  // components of very different sizes, closed and open
+  mesh = tetrahedron(1e-6, 5.);
+  mesh += grid(4, 0.1);
+  mesh += tetrahedron(10., -20.);
+  Surface_mesh input = mesh;
+  PMP::hermite_diffuse_remesh(mesh);
+  check_result(input, mesh);
+
+  // needles that are thin, but not degenerate
+  mesh = tetrahedron();
+  mesh.point(Surface_mesh::Vertex_index(1)) = Point_3(1e-9, 0., 0.);
+  input = mesh;
+  report = PMP::hermite_diffuse_remesh(mesh);
+  assert(report.number_of_degenerate_input_faces == 0);
+  check_result(input, mesh);
+
+  // two sheets through each other
+  mesh = grid(4, 0.1);
+  other = grid(4, 0.1);
+  for(const auto v : other.vertices())
+    other.point(v) = Point_3(other.point(v).x(), other.point(v).z() + 0.5, other.point(v).y() - 0.5);
+  mesh += other;
+  assert(PMP::does_self_intersect(mesh));
+  PMP::hermite_diffuse_remesh(mesh);
+  assert(CGAL::is_valid_polygon_mesh(mesh));
+}
+
+// units do not matter, and neither does a place where rounding leaves a dozen digits, or six
+void test_extreme_coordinates()
+{
+  for(const double scale : {1e-40, 1e-9, 1., 1e9, 1e40})
+    for(const double shift : {0., 1., 1e6, 1e9})
+    {
+      Surface_mesh mesh = grid(6, 0.1);
+      for(const auto v : mesh.vertices())
+      {
+        const Point_3 p = mesh.point(v);
+        mesh.point(v) = Point_3(scale * (p.x() + shift), scale * (p.y() - shift), scale * (p.z() + 2. * shift));
+      }
+      const Surface_mesh input = mesh;
+      const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.02));
+      check_result(input, mesh);
+      assert(report.smallest_quality > 0.3 && report.stop_reason == HDR::CONVERGED);
+      assert(report.number_of_faces > 100 && report.number_of_faces < 400);
     }
 }
 
@@ -74,6 +281,10 @@ int main()
   expect_refusal(cube, params::size_field([](const Point_3&) { return -1.; }), "size_field");
   expect_refusal(cube, params::size_field([nan](const Point_3&) { return nan; }), "size_field");
 
+  test_refusals();
+  test_repairs();
+  test_accepted_as_they_are();
+  test_extreme_coordinates();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -207,8 +207,27 @@ void test_degenerate_faces()
     assert(std::isfinite(fitter(i).principal_curvatures().largest_absolute()));
 }
 
+// points of a feature curve at one place: all that the spline says stays a number
+void test_coincident_points_on_curves()
+{
+  const std::vector<Vector> points = {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(1., 0., 0.), Vector(1.5, 1., 0.),
+                                      Vector(0., 1., 0.), Vector(0., 1., 0.)};
+  constexpr int number_of_parameters = 100;
+  for(const bool is_closed : {false, true})
+  {
+    const Feature_spline spline(points, is_closed);
+    assert(std::isfinite(spline.length()));
+    for(int i = 0; i <= number_of_parameters; ++i)
+    {
+      const double s = spline.length() * i / number_of_parameters;
+      assert(spline.point(s).allFinite() && std::isfinite(spline.curvature(s)));
+    }
+  }
+}
+
 int main()
 {
+  test_coincident_points_on_curves();
   test_degenerate_faces();
   test_strips();
   test_apices();

@@ -118,7 +118,7 @@ bad_option)
   "$remesh_file" --help > log 2> errors || fail "--help"
   for option in approximation-error maximum-deviation minimum-edge-length maximum-edge-length \
                 elements-per-circle angle-per-element sagitta-over-length sagitta \
-                maximum-number-of-faces predict gradation sharp-angle corner-angle iterations report fields quiet; do
+                maximum-number-of-faces maximum-running-time predict gradation sharp-angle corner-angle iterations report fields quiet; do
     grep -q -e "--$option" log || fail "--help does not name --$option"
   done
   ;;
@@ -197,7 +197,7 @@ failing_write)
 json_report)
   make_input cup.off
   run cup.off out.off --report out.json
-  for key in input_faces input_quality_min input_quality_mean faces vertices quality_min \
+  for key in input_faces degenerate_input_faces unrepaired_faces input_quality_min input_quality_mean faces vertices quality_min \
              quality_mean deviation_max deviation_mean deviation_max_point maximum_deviation \
              maximum_deviation_met faces_above_maximum_deviation size_conformity predicted_faces size_scale corners curves \
              feature_edges iterations stop_reason counts seconds stages; do

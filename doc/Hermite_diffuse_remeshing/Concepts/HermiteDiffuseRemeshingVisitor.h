@@ -8,7 +8,9 @@ keep data of the user in step with the mesh, and to stop early.
 
 The functions are called in the thread of the caller, between the changes of the mesh: in each of
 them the mesh is valid. The functions must not change the connectivity of the mesh or its points.
-An exception thrown by a function of the visitor ends the remeshing and reaches the caller.
+An exception thrown by a function of the visitor ends the remeshing and reaches the caller, who has a valid
+mesh. The repairs of degenerate faces are told in the same way, as collapses and flips of the stage
+`"repair"`.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<TriangleMesh>}
@@ -38,8 +40,9 @@ public:
   /// is called when the stage ends.
   void stage_ends(const char* name);
 
-  /// is asked between operations. Once it returns `true` the mesh is left as it is, and the report
-  /// says `CGAL::Hermite_diffuse_remeshing::STOPPED_BY_VISITOR`.
+  /// is asked all the time, in every stage, at least every few milliseconds for a mesh of 100000 faces. Once it
+  /// returns `true` it is not asked again, the mesh is left as it is, valid, and the report says
+  /// `CGAL::Hermite_diffuse_remeshing::STOPPED_BY_VISITOR`.
   bool is_stop_requested();
 
   /// @}
@@ -52,6 +55,11 @@ public:
 
   /// is called after an edge was split; `v` is the new vertex.
   void after_edge_split(vertex_descriptor v);
+
+  /// is called after `after_edge_split()` for each face at the edge, and after edges were retriangulated for
+  /// each face of the region but `f`: `part` is new, and has taken a part of the place of `f`, whose data it
+  /// should get.
+  void after_face_split(face_descriptor f, face_descriptor part);
 
   /// is called before `h` is collapsed: its source will be removed and its target stays.
   void before_edge_collapse(halfedge_descriptor h);
@@ -71,6 +79,9 @@ public:
 
   /// is called after a vertex was removed.
   void after_vertex_removal();
+
+  /// is called before the vertex `v` is given another point.
+  void before_vertex_relocation(vertex_descriptor v);
 
   /// is called after the vertex `v` was given another point.
   void after_vertex_relocation(vertex_descriptor v);

@@ -199,9 +199,16 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{maximum_number_of_faces}
  *     \cgalParamDescription{budget of remeshed faces. The sizes, their bounds included, are scaled up until
  *       nine tenths of it are predicted, and no edge is split beyond it, or beyond the number of faces of
- *       the input if that is larger.}
+ *       the input if that is larger. 0 means the default.}
  *     \cgalParamType{`std::size_t`}
- *     \cgalParamDefault{`std::numeric_limits<int>::max()`}
+ *     \cgalParamDefault{1000000, or ten times the faces of the input if that is more: a cap, so that an absurdly
+ *       small size does not eat the memory}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_running_time}
+ *     \cgalParamDescription{after this time the remeshing stops as if the visitor had asked for it. The clock
+ *       is read for nothing else; a result that it has stopped depends on the machine and on its load.}
+ *     \cgalParamType{`double`, seconds, larger than 0}
+ *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and operations and may stop the remeshing}
@@ -252,9 +259,9 @@ namespace Polygon_mesh_processing {
  *
  * @return what was done, and which promises were kept
  *
- * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
- *        that is not finite, or if a parameter is out of its range. The message names it, and the mesh is
- *        unchanged.
+ * \throw std::invalid_argument if the mesh cannot be remeshed, see \ref HDR_input, or if a parameter is out of
+ *        its range. The message names the element or the parameter, and the mesh is unchanged.
+ * \throw std::bad_alloc if there is too little memory. Before the adaptation begins the mesh is unchanged then.
  *
  * @sa `CGAL::Hermite_diffuse_surface`
  */

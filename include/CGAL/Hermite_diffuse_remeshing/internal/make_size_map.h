@@ -27,8 +27,9 @@ template <typename Pack>
 std::size_t read_face_budget(const Pack& pack, const std::size_t number_of_input_faces)
 {
   constexpr std::size_t default_number = 1000000, default_multiple = 10;
-  return parameters::choose_parameter(parameters::get_parameter(pack, internal_np::maximum_number_of_faces),
-                                      (std::max)(default_number, default_multiple * number_of_input_faces));
+  const std::size_t budget =
+    parameters::choose_parameter(parameters::get_parameter(pack, internal_np::maximum_number_of_faces), std::size_t(0));
+  return budget > 0 ? budget : (std::max)(default_number, default_multiple * number_of_input_faces);
 }
 
 // The edges that cannot be changed: those that the user protects, and between what is remeshed and the rest.
@@ -52,14 +53,15 @@ std::unique_ptr<Size_map> make_size_map(const Input_model& model, const Size_opt
                                         const std::size_t maximum_number_of_faces, const IsSelected& is_selected,
                                         const Progress& progress = Progress())
 {
-  // cells that are much smaller than the faces that may come of them would be for nothing
-  constexpr double least_number_of_cells = 50000., cells_per_face = 4.;
+  // cells and probes much closer than the faces that may come of them would be for nothing
+  constexpr double least_number_of_cells = 50000., cells_per_face = 4., probes_per_cell = 10.;
   // the rest is for the places where the sizes do not fit the shape
   constexpr double used_part = 0.9;
+  const double useful_cells = least_number_of_cells + cells_per_face * double(maximum_number_of_faces);
   Size_options bounded = options;
   bounded.maximum_number_of_cells = model.surface.triangles().number_of_faces()
-    + static_cast<int>((std::min)(double(options.maximum_number_of_cells),
-                                  least_number_of_cells + cells_per_face * double(maximum_number_of_faces)));
+    + static_cast<int>((std::min)(double(options.maximum_number_of_cells), useful_cells));
+  bounded.maximum_number_of_probes = (std::min)(options.maximum_number_of_probes, probes_per_cell * useful_cells);
   std::unique_ptr<Size_map> sizes(new Size_map(model.surface, model.edges, model.curves, bounded,
                                                find_frozen_edges(model.edges, marks, is_selected), progress));
   sizes->limit_number_of_faces(used_part * double(maximum_number_of_faces), is_selected);

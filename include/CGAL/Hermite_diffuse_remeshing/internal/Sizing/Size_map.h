@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Frozen_lengths.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Feature_gaps.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
 
@@ -59,7 +60,13 @@ class Size_map
   std::vector<double> m_sizes;            // after gradation
   std::vector<double> m_area_ratios;      // of the surface over the faces
   Pair_map<int> m_middles;
-  Pair_map<double> m_curve_sizes;         // curvature's size along the pieces of the feature edges
+  struct Curve_piece
+  {
+    double curvature_size;
+    int edge;                             // of the reference
+  };
+  Feature_gaps m_gaps;
+  Pair_map<Curve_piece> m_curve_pieces;   // of the feature edges
   Frozen_lengths m_frozen;
   double m_scale = 1.;                    // of the own sizes, to meet a budget
   bool m_is_sample_lowered = false;       // since the sizes were last graded
@@ -78,8 +85,6 @@ class Size_map
   static constexpr double probe_distance = 0.4973;
   // a bisection halves a side: 48 of them in a row reach the rounding of the coordinates
   static constexpr int maximum_number_of_rounds = 48;
-  // Of the user's field, of the whole map: an absurd size must not eat the time either.
-  static constexpr double maximum_number_of_probes = 2e7;
 
 public:
   // `is_edge_frozen`: of the edges of the table; empty if none is
@@ -87,6 +92,7 @@ public:
            const Size_options& options, const std::vector<char>& is_edge_frozen = std::vector<char>(),
            const Progress& progress = Progress())
     : m_sources(surface, options), m_progress(progress), m_cells(surface.triangles())
+    , m_gaps(surface.triangles(), surface.cut_mesh(), edges, curves)
   {
     const int nf = surface.triangles().number_of_faces();
     for(int f = 0; f < nf; ++f, progress(double(f) / nf))
@@ -222,7 +228,9 @@ private:
         const double curvature = (curve.spline.curvature_at_point(static_cast<int>(i))
                                 + curve.spline.curvature_at_point(static_cast<int>(i) + 1)) / 2.;
         const std::array<int, 2>& ends = edges.vertices(curve.edges[i]);
-        m_curve_sizes[ordered(ends[0], ends[1])] = m_sources.of_curvature(curvature);
+        m_curve_pieces[ordered(ends[0], ends[1])] = {m_sources.of_curvature(curvature), curve.edges[i]};
+        for(const int v : ends)
+          lower_to_gap(v, curve.edges[i]);
       }
   }
 
@@ -233,6 +241,19 @@ private:
       return;
     m_samples[sample].own_size = clamped;
     m_is_sample_lowered = true;
+  }
+
+  // in a strip between two curves
+  void lower_to_gap(const int sample, const int edge)
+  {
+    // two sides of a triangle go across the strip and are 1.8 times as long as it is wide, the third is
+    // three times as long: Q = 0.52
+    constexpr double lengths_per_gap = 3.0037;
+    // a crack must not cost more than this factor of the size
+    constexpr double largest_factor = 8.;
+    const double size = m_samples[sample].own_size;
+    const double gap = m_gaps.gap(m_samples[sample].position, edge, size / lengths_per_gap);
+    lower(sample, (std::max)(lengths_per_gap * gap, size / largest_factor));
   }
 
   void lower_user_size(const int sample, const double size)
@@ -285,8 +306,8 @@ private:
     const auto found = m_middles.find(key);
     const bool is_new = found == m_middles.end();
     const int sample = is_new ? static_cast<int>(m_samples.size()) : found->second;
-    const auto on_curve = m_curve_sizes.find(key);
-    const bool is_on_curve = on_curve != m_curve_sizes.end();
+    const auto on_curve = m_curve_pieces.find(key);
+    const bool is_on_curve = on_curve != m_curve_pieces.end();
     if(is_new)
     {
       // the interpolated size of the user stands where the field is not asked any more
@@ -298,9 +319,10 @@ private:
       m_frozen.add_middle(a, b, sample);
       if(is_on_curve)
       {
-        const double size = on_curve->second;
-        lower(sample, size);
-        m_curve_sizes[ordered(a, sample)] = m_curve_sizes[ordered(sample, b)] = size;
+        const Curve_piece piece = on_curve->second;
+        lower(sample, piece.curvature_size);
+        lower_to_gap(sample, piece.edge);
+        m_curve_pieces[ordered(a, sample)] = m_curve_pieces[ordered(sample, b)] = piece;
       }
     }
     const bool is_user_asked = m_sources.has_user_size() && (is_new || m_sources.options().is_user_size_local);
@@ -370,8 +392,9 @@ private:
   {
     const double step = probe_distance * (std::min)({s[0], s[1], s[2]});
     const int n = static_cast<int>((std::min)(length / step, double((std::numeric_limits<int>::max)() / 2)));
-    for(int i = 0; i <= n; ++i, m_progress(0.))
-      for(int j = 0; i + j <= n && m_number_of_probes < maximum_number_of_probes; ++j, ++m_number_of_probes)
+    const double last_probe = m_sources.options().maximum_number_of_probes;
+    for(int i = 0; i <= n && m_number_of_probes < last_probe; ++i, m_progress(0.))
+      for(int j = 0; i + j <= n && m_number_of_probes < last_probe; ++j, ++m_number_of_probes)
       {
         // the centroids of the upright triangles of a regular partition of the cell
         const Barycentric l = {{(i + 1. / 3.) / (n + 1.), (j + 1. / 3.) / (n + 1.),

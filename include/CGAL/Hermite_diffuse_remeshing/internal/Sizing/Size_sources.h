@@ -28,6 +28,8 @@ struct Size_options
   // Of the bisected faces of the size map, about 100 bytes each: an absurd size in a large face must not
   // eat the memory. Where it is reached the sizes stay linear in the cells.
   int maximum_number_of_cells = 2000000;
+  // Of the user's field, for sizes between those at the corners of a cell: it must not eat the time either.
+  double maximum_number_of_probes = 2e7;
   double length_over_radius = std::numeric_limits<double>::infinity();
   double sagitta = std::numeric_limits<double>::infinity();
   double maximum_deviation = std::numeric_limits<double>::infinity();

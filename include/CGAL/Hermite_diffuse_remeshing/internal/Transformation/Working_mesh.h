@@ -177,9 +177,11 @@ public:
     touch_around(v);
     free_vertex(index(v));
     m_number_of_faces -= degree(v, tm) - 1;
-    fill_polygon(CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm), diagonals, data);
+    const std::vector<face_descriptor> parts =
+      fill_polygon(CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm), diagonals, data);
     ++m_counts.vertex_removals;
     m_user.visitor.after_vertex_removal();
+    tell_of_parts(parts);
   }
 
   // Replaces edges at the target of h by other diagonals of the same polygon: those between the face of h
@@ -187,18 +189,22 @@ public:
   void retriangulate_fan(const halfedge_descriptor h, const std::size_t number_of_edges, const Diagonals& diagonals)
   {
     TriangleMesh& tm = m_user.tmesh;
+    // the visitor, which may throw, sees the mesh before the first change and after the last
+    halfedge_descriptor g = h;
+    for(std::size_t i = 0; i < number_of_edges; ++i, g = opposite(next(g, tm), tm))
+      m_user.visitor.before_edge_flip(edge(next(g, tm), tm));
     touch_around(target(h, tm));
     const Face_data data = face_data(face(h, tm));
     for(std::size_t i = 0; i < number_of_edges; ++i)
     {
-      m_user.visitor.before_edge_flip(edge(next(h, tm), tm));
       CGAL::Euler::join_face(next(h, tm), tm);
       --m_number_of_faces;
       ++m_counts.flips;
     }
-    fill_polygon(h, diagonals, data);
+    const std::vector<face_descriptor> parts = fill_polygon(h, diagonals, data);
     for(const std::pair<vertex_descriptor, vertex_descriptor>& ends : diagonals)
       m_user.visitor.after_edge_flip(edge(ends.first, ends.second, tm).first);
+    tell_of_parts(parts);
   }
 
   // the size map has changed
@@ -315,8 +321,8 @@ private:
     return std::make_pair(f, face(diagonal, tm) == f ? face(o, tm) : face(diagonal, tm));
   }
 
-  // splits the face of h into triangles
-  void fill_polygon(const halfedge_descriptor h, const Diagonals& diagonals, const Face_data& data)
+  // splits the face of h into triangles, the first of which keeps its descriptor
+  std::vector<face_descriptor> fill_polygon(const halfedge_descriptor h, const Diagonals& diagonals, const Face_data& data)
   {
     const TriangleMesh& tm = tmesh();
     set_face_data(face(h, tm), data);
@@ -337,6 +343,13 @@ private:
         parts.push_back(split_face(to_first, to_second).second);
         break;
       }
+    return parts;
+  }
+
+  void tell_of_parts(const std::vector<face_descriptor>& parts)
+  {
+    for(std::size_t i = 1; i < parts.size(); ++i)
+      m_user.visitor.after_face_split(parts.front(), parts[i]);
   }
 
   void put_point(const vertex_descriptor v, const Vector& p)

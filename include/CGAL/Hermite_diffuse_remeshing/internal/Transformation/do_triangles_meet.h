@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DO_TRIANGLES_MEET_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DO_TRIANGLES_MEET_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_grid.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// A triangle of the mesh, or one that may become one. Vertices are the same if their numbers are.
+struct Numbered_triangle
+{
+  std::array<int, 3> vertices;
+  std::array<Vector, 3> points;
+};
+
+namespace meeting {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+
+inline Kernel::Point_3 exact(const Vector& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
+
+inline Kernel::Triangle_3 exact(const std::array<Vector, 3>& p)
+{
+  return Kernel::Triangle_3(exact(p[0]), exact(p[1]), exact(p[2]));
+}
+
+// Whether a plane through the corner k of a triangle and at a right angle to it, along a side, has both ends
+// of a segment on the other side: the segment is clearly apart then. What is not clear is left to the exact
+// predicates.
+inline bool is_beyond_sides(const std::array<Vector, 3>& t, const int k, const Vector& p, const Vector& q)
+{
+  const Vector& o = t[k];
+  const Vector a = t[next(k)] - o, b = t[previous(k)] - o;
+  const Vector n = a.cross(b);
+  // relative to the lengths: far above rounding
+  constexpr double clearly = 1e-9;
+  const auto is_outside = [&](const Vector& outwards)
+  {
+    const double limit = clearly * outwards.norm();
+    return outwards.dot(p - o) > limit * (p - o).norm() && outwards.dot(q - o) > limit * (q - o).norm();
+  };
+  return is_outside(a.cross(n)) || is_outside(n.cross(b));
+}
+
+// triangles with one common corner, k of the first and l of the second
+inline bool do_meet_beside_corner(const std::array<Vector, 3>& s, const int k, const std::array<Vector, 3>& t, const int l)
+{
+  const auto hits = [](const std::array<Vector, 3>& u, const int m, const Vector& p, const Vector& q)
+  {
+    if(is_beyond_sides(u, m, p, q))
+      return false;
+    return CGAL::do_intersect(exact(u), Kernel::Segment_3(exact(p), exact(q)));
+  };
+  return hits(s, k, t[next(l)], t[previous(l)]) || hits(t, l, s[next(k)], s[previous(k)]);
+}
+
+} // namespace meeting
+
+// Whether two triangles have more in common than the vertices they share. Two with a common side only meet
+// when one is folded onto the other, which their normals tell better.
+inline bool do_triangles_meet(const Numbered_triangle& s, const Numbered_triangle& t)
+{
+  int number_of_common = 0, k = 0, l = 0;
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 3; ++j)
+      if(s.vertices[i] == t.vertices[j])
+      {
+        ++number_of_common;
+        k = i;
+        l = j;
+      }
+  if(number_of_common > 1)
+    return false;
+  if(number_of_common == 1)
+    return meeting::do_meet_beside_corner(s.points, k, t.points, l);
+  return Bounding_box(s.points).meets(Bounding_box(t.points))
+      && CGAL::do_intersect(meeting::exact(s.points), meeting::exact(t.points));
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DO_TRIANGLES_MEET_H

@@ -1,0 +1,353 @@
+// Stops, exceptions and failing allocations at any moment leave a valid mesh; what would never end is cut off.
+
+#include "test_helpers.h"
+
+#include <CGAL/Polyhedron_3.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+
+// ---- allocations that fail on request -------------------------------------------------------------
+
+namespace allocations {
+long number = 0;
+long number_of_failing = -1;            // of the one that fails; -1: none
+}
+
+// both sides of the pairs are replaced, which the compiler does not see where it inlines one of them
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+#endif
+void* operator new(const std::size_t size)
+{
+  if(allocations::number++ == allocations::number_of_failing)
+    throw std::bad_alloc();
+  if(void* const memory = std::malloc(size == 0 ? 1 : size))
+    return memory;
+  throw std::bad_alloc();
+}
+void* operator new[](const std::size_t size) { return operator new(size); }
+void operator delete(void* const memory) noexcept { std::free(memory); }
+void operator delete(void* const memory, std::size_t) noexcept { std::free(memory); }
+void operator delete[](void* const memory) noexcept { std::free(memory); }
+void operator delete[](void* const memory, std::size_t) noexcept { std::free(memory); }
+
+// ---- helpers --------------------------------------------------------------------------------------
+
+// points and corners of the faces, in the order of the mesh
+template <typename Mesh>
+std::vector<analytic::Point> faces_of(const Mesh& mesh)
+{
+  std::vector<analytic::Point> result;
+  for(const auto v : vertices(mesh))
+    result.push_back(coordinates(mesh, v));
+  for(const auto f : faces(mesh))
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, mesh), mesh))
+      result.push_back(coordinates(mesh, source(h, mesh)));
+  return result;
+}
+
+// A pyramid on a square with bent sides: corners, sharp edges, a border and round parts.
+template <typename Mesh>
+Mesh make_tent()
+{
+  analytic::Triangles t;
+  constexpr int n = 12;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i)
+    {
+      const double x = 2. * i / n - 1., y = 2. * j / n - 1.;
+      t.points.push_back({{x, y, 1. - (std::max)(std::abs(x), std::abs(y)) + 0.2 * std::cos(2. * x) * std::cos(2. * y)}});
+    }
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      const std::size_t v = j * (n + 1) + i, w = v + n + 1;
+      if((i < n / 2) == (j < n / 2))
+      {
+        t.faces.push_back({{v, v + 1, w + 1}});
+        t.faces.push_back({{v, w + 1, w}});
+      }
+      else
+      {
+        t.faces.push_back({{v, v + 1, w}});
+        t.faces.push_back({{v + 1, w + 1, w}});
+      }
+    }
+  return make_mesh<Mesh>(t);
+}
+
+struct Hook_exception {};
+
+// Counts the calls; the one with a given number stops the remeshing or throws.
+template <typename Mesh>
+struct Counting_visitor
+  : public HDR::Default_remeshing_visitor<Mesh>
+{
+  typedef HDR::Default_remeshing_visitor<Mesh> Base;
+  typedef typename Base::vertex_descriptor vertex_descriptor;
+  typedef typename Base::halfedge_descriptor halfedge_descriptor;
+  typedef typename Base::edge_descriptor edge_descriptor;
+  typedef typename Base::face_descriptor face_descriptor;
+
+  const Mesh& mesh;
+  long questions = 0, last_question = -1;
+  long hooks = 0, last_hook = -1;
+  bool is_stopped = false;
+  int open_stages = 0;
+  double last_fraction = 0.;
+  vertex_descriptor kept = boost::graph_traits<Mesh>::null_vertex(), moved = boost::graph_traits<Mesh>::null_vertex();
+
+  explicit Counting_visitor(const Mesh& mesh) : mesh(mesh) {}
+
+  void hook()
+  {
+    assert(!is_stopped);
+    if(hooks++ == last_hook)
+      throw Hook_exception();
+  }
+
+  void stage_begins(const char*) { ++open_stages; last_fraction = 0.; }
+  void stage_ends(const char*) { --open_stages; }
+  void progress(const double fraction)
+  {
+    assert(fraction >= last_fraction && fraction <= 1.);
+    last_fraction = fraction;
+  }
+  bool is_stop_requested()
+  {
+    assert(!is_stopped);
+    is_stopped = questions++ == last_question;
+    return is_stopped;
+  }
+  void before_edge_split(edge_descriptor) { hook(); }
+  void after_edge_split(vertex_descriptor) { hook(); }
+  void after_face_split(const face_descriptor f, const face_descriptor part) { assert(f != part); hook(); }
+  void before_edge_collapse(const halfedge_descriptor h) { kept = target(h, mesh); hook(); }
+  void after_edge_collapse(const vertex_descriptor v) { assert(v == kept); hook(); }
+  void before_edge_flip(edge_descriptor) { hook(); }
+  void after_edge_flip(edge_descriptor) { hook(); }
+  void before_vertex_removal(vertex_descriptor) { hook(); }
+  void after_vertex_removal() { hook(); }
+  void before_vertex_relocation(const vertex_descriptor v) { moved = v; hook(); }
+  void after_vertex_relocation(const vertex_descriptor v) { assert(v == moved); hook(); }
+};
+
+auto parameters_of_tent()
+{
+  return params::approximation_error(0.02).maximum_edge_length(0.25).maximum_deviation(1e-3);
+}
+
+// ---- tests ----------------------------------------------------------------------------------------
+
+template <typename Mesh>
+void test_stops_and_exceptions(const int number_of_moments)
+{
+  std::cout << "stops and exceptions" << std::endl;
+  const Mesh input = make_tent<Mesh>();
+  Mesh complete = input;
+  Counting_visitor<Mesh> counter(complete);
+  PMP::hermite_diffuse_remesh(complete, parameters_of_tent().visitor(std::ref(counter)));
+  check_result(input, complete);
+  assert(counter.questions > 1000 && counter.hooks > 1000);
+
+  analytic::Random random(1);
+  for(int i = 0; i < number_of_moments; ++i)
+  {
+    Mesh mesh = input;
+    Counting_visitor<Mesh> visitor(mesh);
+    visitor.last_question = long(random(0., double(counter.questions)));
+    const auto report = PMP::hermite_diffuse_remesh(mesh, parameters_of_tent().visitor(std::ref(visitor)));
+    assert(report.stop_reason == HDR::STOPPED_BY_VISITOR && visitor.is_stopped && visitor.open_stages == 0);
+    assert(!report.is_deviation_measured || visitor.last_question + 1 >= counter.questions);
+    assert(report.number_of_faces == std::size_t(numbers(mesh)[2]));
+    check_result(input, mesh);
+  }
+  for(int i = 0; i < number_of_moments; ++i)
+  {
+    Mesh mesh = input;
+    Counting_visitor<Mesh> visitor(mesh);
+    visitor.last_hook = long(random(0., double(counter.hooks)));
+    bool is_thrown = false;
+    try { PMP::hermite_diffuse_remesh(mesh, parameters_of_tent().visitor(std::ref(visitor))); }
+    catch(const Hook_exception&) { is_thrown = true; }
+    assert(is_thrown);
+    check_result(input, mesh);
+  }
+}
+
+template <typename Mesh>
+void test_failing_allocations(const int number_of_failures)
+{
+  std::cout << "failing allocations" << std::endl;
+  struct Visitor : public HDR::Default_remeshing_visitor<Mesh>
+  {
+    long before_changes = 0;
+    void stage_begins(const char* name)
+    {
+      if(std::strcmp(name, "adaptation") == 0)
+        before_changes = allocations::number;
+    }
+  };
+  const Mesh input = make_tent<Mesh>();
+  const std::vector<analytic::Point> before = faces_of(input);
+  const auto field = [](const Point_3& p) { return 0.1 + 0.1 * std::abs(p.x()); };
+  const auto remesh = [&](Mesh& mesh, Visitor& visitor)
+  {
+    PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.05).size_field(field).visitor(std::ref(visitor)));
+  };
+  Mesh complete = input;
+  Visitor visitor;
+  allocations::number = 0;
+  remesh(complete, visitor);
+  const long number = visitor.before_changes;
+  assert(number > number_of_failures);
+  int number_of_refusals = 0;
+  for(int i = 0; i < number_of_failures; ++i)
+  {
+    Mesh mesh = input;
+    bool is_failed = false;
+    allocations::number = 0;
+    allocations::number_of_failing = long(double(i) / number_of_failures * double(number));
+    try { remesh(mesh, visitor); }
+    catch(const std::bad_alloc&) { is_failed = true; }
+    allocations::number_of_failing = -1;
+    // the standard library goes on without some of its buffers
+    number_of_refusals += is_failed;
+    assert(faces_of(mesh) == (is_failed ? before : faces_of(complete)));
+    assert(CGAL::is_valid_polygon_mesh(mesh));
+    if(!is_failed)
+      continue;
+    if(i % 50 == 0)
+    {
+      // nothing is left behind either
+      remesh(mesh, visitor);
+      assert(faces_of(mesh) == faces_of(complete));
+    }
+  }
+  assert(number_of_refusals > number_of_failures / 2);
+}
+
+void test_time_budget()
+{
+  std::cout << "time budget" << std::endl;
+  const Surface_mesh input = make_tent<Surface_mesh>();
+  Surface_mesh mesh = input;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, parameters_of_tent().maximum_running_time(1e-9));
+  assert(report.stop_reason == HDR::TIME_BUDGET && std::string(name(report.stop_reason)) == "time_budget");
+  assert(faces_of(mesh) == faces_of(input));
+  // one that is not used up changes nothing
+  Surface_mesh other = input;
+  PMP::hermite_diffuse_remesh(mesh, parameters_of_tent().maximum_running_time(1e9));
+  PMP::hermite_diffuse_remesh(other, parameters_of_tent());
+  assert(faces_of(mesh) == faces_of(other));
+}
+
+// an absurd size asks for the cap of the number of faces, not for all the memory
+void test_face_cap()
+{
+  std::cout << "face cap" << std::endl;
+  struct Visitor : public HDR::Default_remeshing_visitor<Surface_mesh>
+  {
+    bool is_adapting = false;
+    void stage_begins(const char* name) { is_adapting = std::strcmp(name, "adaptation") == 0; }
+    bool is_stop_requested() { return is_adapting; }
+  };
+  const Surface_mesh input = make_tent<Surface_mesh>();
+  for(const double error : {1e-9, 1e-300})
+  {
+    Surface_mesh mesh = input;
+    Visitor visitor;
+    const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(error).visitor(std::ref(visitor)));
+    assert(report.size_scale > 1.);
+    assert(report.predicted_number_of_faces > 0.5e6 && report.predicted_number_of_faces <= 1e6);
+  }
+  // met where it is given
+  Surface_mesh mesh = input;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(1e-9).maximum_number_of_faces(3000));
+  assert(report.number_of_faces <= 3000 && report.number_of_faces > 2000);
+  check_result(input, mesh);
+}
+
+// Small sizes beside long edges that must stay: the faces there stay long too, and nothing cascades.
+void test_protected_long_edges()
+{
+  std::cout << "protected long edges" << std::endl;
+  for(const double size : {0.3, 0.1, 0.03})
+  {
+    analytic::Triangles square;
+    square.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 1., 0.}}, {{0., 1., 0.}}, {{0.4, 0.5, 0.}}};
+    square.faces = {{{0, 1, 4}}, {{1, 2, 4}}, {{2, 3, 4}}, {{3, 0, 4}}};
+    Surface_mesh mesh = make_mesh<Surface_mesh>(square);
+    auto is_constrained = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:constrained", false).first;
+    for(const auto e : edges(mesh))
+      is_constrained[e] = mesh.is_border(e);
+    const auto remesh = [&]
+    {
+      return PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).maximum_edge_length(size)
+        .edge_is_constrained_map(is_constrained).protect_constraints(true));
+    };
+    const auto report = remesh();
+    // two faces more for each element along the long edges, and some for their corners
+    const double bound = 1.25 * report.predicted_number_of_faces + 2. * 4. / size + 8.;
+    assert(report.number_of_faces <= bound);
+    std::size_t number = 0;
+    for(const auto e : edges(mesh))
+      number += mesh.is_border(e) && is_constrained[e];
+    assert(number == 4);
+    for(int i = 0; i < 2; ++i)
+      assert(remesh().number_of_faces <= bound);
+  }
+}
+
+// Attributes that are carried by the hooks alone: labels of faces, and the corners that vertices are.
+void test_attributes()
+{
+  std::cout << "attributes" << std::endl;
+  struct Visitor : public HDR::Default_remeshing_visitor<Surface_mesh>
+  {
+    Surface_mesh::Property_map<Surface_mesh::Face_index, int> carried;
+    void after_face_split(const face_descriptor f, const face_descriptor part) { carried[part] = carried[f]; }
+  };
+  const Surface_mesh input = make_tent<Surface_mesh>();
+  Surface_mesh mesh = input;
+  auto label = mesh.add_property_map<Surface_mesh::Face_index, int>("f:label", 0).first;
+  Visitor visitor;
+  visitor.carried = mesh.add_property_map<Surface_mesh::Face_index, int>("f:carried", -1).first;
+  auto corner = mesh.add_property_map<Surface_mesh::Vertex_index, int>("v:corner", -1).first;
+  for(const auto f : faces(mesh))
+    visitor.carried[f] = label[f] = mesh.point(mesh.target(mesh.halfedge(f))).x() > 0.3;
+  const std::vector<analytic::Point> kept = corners(input);
+  for(const auto v : vertices(mesh))
+    for(std::size_t i = 0; i < kept.size(); ++i)
+      if(coordinates(mesh, v) == kept[i])
+        corner[v] = int(i);
+  const auto report = PMP::hermite_diffuse_remesh(mesh, parameters_of_tent().face_patch_map(label)
+                                                          .visitor(std::ref(visitor)));
+  assert(report.number_of_splits > 100 && report.number_of_collapses > 10);
+  for(const auto f : faces(mesh))
+    assert(label[f] == visitor.carried[f]);
+  // the descriptor of a corner stays with the corner
+  for(const auto v : vertices(mesh))
+    for(std::size_t i = 0; i < kept.size(); ++i)
+      assert((coordinates(mesh, v) == kept[i]) == (corner[v] == int(i)));
+}
+
+int main()
+{
+  test_stops_and_exceptions<Surface_mesh>(50);
+  test_stops_and_exceptions<Polyhedron>(10);
+  test_failing_allocations<Surface_mesh>(100);
+  test_failing_allocations<Polyhedron>(50);
+  test_time_budget();
+  test_face_cap();
+  test_protected_long_edges();
+  test_attributes();
+  std::cout << "done" << std::endl;
+  return EXIT_SUCCESS;
+}
