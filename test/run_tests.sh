@@ -7,7 +7,7 @@
 #   --cgal DIR       the root of an unpacked libcgal-dev package to use instead of the installed one
 #   --build DIR      the build folder (build/test, or build/test-cgal with --cgal)
 #   --sanitize KIND  with the address and undefined-behaviour sanitizers, KIND `address`, or with that of
-#                    threads, KIND `thread`; needs hours on one core
+#                    threads, KIND `thread`; takes many times as long
 #   --check-sources  also check the sources themselves: every header alone, warnings, includes
 #
 # CXX and CXXFLAGS are passed on to CMake.

@@ -49,7 +49,7 @@ struct Visitor : public CGAL::Hermite_diffuse_remeshing::Default_remeshing_visit
   {
     look();
     if(stop_stage.empty())
-      std::cout << stage << ": " << milliseconds_since(stage_begin) << " ms, longest silence " << longest << " ms\n";
+      std::cout << stage << ": " << milliseconds_since(stage_begin) << " ms, longest silence " << longest << " ms" << std::endl;
   }
   bool is_stop_requested()
   {

@@ -295,7 +295,7 @@ bool run(const unsigned seed)
 
 int main(int argc, char** argv)
 {
-  const unsigned number = argc > 1 ? unsigned(std::atoi(argv[1])) : 200;
+  const unsigned number = argc > 1 ? unsigned(std::atoi(argv[1])) : 40;
   const unsigned first = argc > 2 ? unsigned(std::atoi(argv[2])) : 1;
   unsigned accepted = 0, failed = 0, slowest = first;
   double longest = 0.;

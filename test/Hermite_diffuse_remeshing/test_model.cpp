@@ -511,7 +511,7 @@ void test_projection()
       const Vector r = p - found.quadric.point(), m = found.quadric.normal();
       residual = (std::max)(residual, (r - r.dot(m) * m).norm() / found.quadric.size);
       error.add((found.quadric.point() - vector(s.truth(point(p)).point)).norm() / h);
-      assert(std::abs(found.distance - std::abs(offset) * h) < 1e-4 * h + 1e-3 * std::abs(offset) * h);
+      assert(std::abs((p - found.quadric.point()).norm() - std::abs(offset) * h) < 1e-4 * h + 1e-3 * std::abs(offset) * h);
     }
     ok = is_at_most(s.name + ", tangential residual", residual, 1e-6) && ok;
     ok = is_at_most(s.name + ", foot point", error(), 2e-3) && ok;

@@ -3,8 +3,10 @@
 \cgalConcept
 
 The concept `HermiteDiffuseRemeshingTraits` gathers the geometry that the Hermite diffuse surface
-and the remeshing take from a kernel. The model itself is computed with `FT`; the coordinates of
+and the remeshing take from a kernel. The model itself is computed with `double`; the coordinates of
 points are read and new points are constructed through the functors.
+
+\cgalRefines{DefaultConstructible,CopyConstructible,Assignable}
 
 \cgalHasModelsBegin
 \cgalHasModelsBare{Any \cgal kernel whose `FT` is a floating point number type\, for example
@@ -20,10 +22,10 @@ public:
   /// the number type: a floating point number type such as `double`
   typedef unspecified_type FT;
 
-  /// the point type
+  /// the point type, a model of `CopyConstructible` and `Assignable`
   typedef unspecified_type Point_3;
 
-  /// the vector type
+  /// the vector type, a model of `DefaultConstructible`, `CopyConstructible` and `Assignable`
   typedef unspecified_type Vector_3;
 
   /// provides `FT operator()(Point_3 p)` and `FT operator()(Vector_3 v)`, the first coordinate

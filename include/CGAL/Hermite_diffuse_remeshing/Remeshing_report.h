@@ -30,8 +30,10 @@ enum Stop_reason
 {
   CONVERGED,           ///< a whole pass found nothing left to change
   ITERATION_BOUND,     ///< `number_of_iterations` passes were made
-  FACE_BUDGET,         ///< the number of faces reached its cap
+  FACE_BUDGET,         ///< `maximum_number_of_faces` was reached, or the sizes were scaled up to keep to it
   TIME_BUDGET,         ///< `maximum_running_time` was over
+  DEVIATION_NOT_MET,   ///< smaller faces do not bring the deviation below `maximum_deviation`: at protected
+                       ///< edges, at the smallest size, or where the model is folded
   STOPPED_BY_VISITOR   ///< the visitor asked for it
 };
 
@@ -49,6 +51,7 @@ inline const char* name(const Stop_reason reason)
     case ITERATION_BOUND:    return "iteration_bound";
     case FACE_BUDGET:        return "face_budget";
     case TIME_BUDGET:        return "time_budget";
+    case DEVIATION_NOT_MET:  return "deviation_not_met";
     case STOPPED_BY_VISITOR: return "stopped_by_visitor";
   }
   return "unknown";
@@ -95,8 +98,8 @@ struct Remeshing_report
   /// @}
 
   /// \name Distance to the model
-  /// measured at vertices, edge middles and face centroids of the result, and from the vertices of
-  /// the input to the result.
+  /// measured at vertices, edge middles and face centroids of the result, and back, from the vertices of
+  /// the input and from the middles of its feature edges, on their curves, to the result.
   /// @{
   /// `false` if the remeshing was stopped before it was measured; then the other fields mean nothing
   bool is_deviation_measured = false;
@@ -107,6 +110,8 @@ struct Remeshing_report
   double maximum_deviation = std::numeric_limits<double>::infinity();
   /// `true` if `largest_deviation` is at most `maximum_deviation`
   bool is_maximum_deviation_met = true;
+  /// rounds of smaller sizes that `maximum_deviation` made necessary
+  std::size_t number_of_deviation_rounds = 0;
   /// the faces of the result that deviate more than `maximum_deviation`
   std::vector<face_descriptor> faces_above_maximum_deviation;
   /// @}

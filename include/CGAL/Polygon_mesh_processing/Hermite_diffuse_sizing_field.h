@@ -10,6 +10,7 @@
 #define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_SIZING_FIELD_H
 
 #include <CGAL/Hermite_diffuse_size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/compatibility.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -76,6 +76,9 @@ namespace Polygon_mesh_processing {
  * A chain of parameters must begin with one of this package's own, then takes these and those of \cgal
  * in any order.
  *
+ * @tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`
+ *         (the default), `Parallel_tag` and `Parallel_if_available_tag`. The values are the same, to the last
+ *         bit, for any number of threads.
  * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
@@ -132,7 +135,8 @@ namespace Polygon_mesh_processing {
  *
  * @sa `CGAL::Hermite_diffuse_surface`
  */
-template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
 void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
                                 const NamedParameters& np = parameters::default_values())
 {
@@ -147,7 +151,7 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
   typedef typename GT::FT FT;
 
   const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
-  const std::unique_ptr<Input_model> model = read_model(input, pack);
+  const std::unique_ptr<Input_model> model = read_model<ConcurrencyTag>(input, pack);
 
   const auto mean = choose_parameter(get_parameter(pack, internal_np::mean_curvature_map),
                                      Constant_property_map<vertex_descriptor, FT>());
@@ -156,11 +160,16 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
   typedef Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT> Principal;
   const auto principal = choose_parameter(get_parameter(pack, internal_np::principal_curvatures_map),
                                           Constant_property_map<vertex_descriptor, Principal>());
-  std::vector<Principal_curvatures> curvatures(input.vertex_descriptors.size());
-  Node_curvature_fitter fitter(model->surface);
   const Cut_mesh& cut_mesh = model->surface.cut_mesh();
+  std::vector<Principal_curvatures> of_nodes(cut_mesh.number_of_nodes());
+  for_each_index(cut_mesh.number_of_nodes(), is_parallel<ConcurrencyTag>(), [&]
+  {
+    return [&, fitter = Node_curvature_fitter(model->surface)](const int i) mutable
+           { of_nodes[i] = fitter(i).principal_curvatures(); };
+  });
+  std::vector<Principal_curvatures> curvatures(input.vertex_descriptors.size());
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
-    keep_larger(curvatures[cut_mesh.vertex(i)], fitter(i).principal_curvatures());
+    keep_larger(curvatures[cut_mesh.vertex(i)], of_nodes[i]);
   for(std::size_t i = 0; i < curvatures.size(); ++i)
   {
     const vertex_descriptor v = input.vertex_descriptors[i];

@@ -83,9 +83,9 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_deviation}
  *     \cgalParamDescription{largest distance between the result and the fitted surface, measured at vertices,
- *       middles of edges and centroids of faces of the result, and from the input's vertices to the
- *       result. Where it is exceeded the sizes are lowered and the mesh is adapted again. The report says
- *       whether it was met, and where it was not.}
+ *       middles of edges and centroids of faces of the result, and from the input's vertices and feature
+ *       curves to the result. Where it is exceeded the sizes are lowered and the mesh is adapted again
+ *       there, in at most 20 rounds. The report says whether it was met, and where it was not.}
  *     \cgalParamType{`double`, a length, larger than 0}
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd

@@ -50,7 +50,7 @@ std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, c
   return normals;
 }
 
-template <typename TriangleMesh, typename GeomTraits, typename Pack>
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename GeomTraits, typename Pack>
 std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
                                         const Progress& progress = Progress())
 {
@@ -61,8 +61,10 @@ std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTrait
 
   const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
                                     Static_boolean_property_map<vertex_descriptor, false>());
+  Model_options options = read_model_options(pack);
+  options.is_parallel = is_parallel<ConcurrencyTag>();
   return std::unique_ptr<Input_model>(
-    new Input_model(input.triangles, read_feature_options(pack), read_model_options(pack),
+    new Input_model(input.triangles, read_feature_options(pack), options,
                     [&](const int f, const int side) { return input.side_marks[f][side]; },
                     [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
                     read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress));

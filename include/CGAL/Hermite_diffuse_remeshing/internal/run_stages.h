@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/measure.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 
 #include <algorithm>
@@ -80,11 +81,15 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
     watched.stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
   if(!watched.is_stopped())
     report.is_deviation_measured = watched.stage("deviation", [&]
-    { deviations = enforce_deviation(mesh, *sizes, remesher, options.sizes.maximum_deviation, report.stop_reason); });
+    { deviations = enforce_deviation(mesh, *sizes, remesher, options.sizes.maximum_deviation, report.stop_reason,
+                                     report.number_of_deviation_rounds); });
+  fill_report(mesh, deviations, report);
   if(watched.is_stopped())
     report.stop_reason = watched.stop_reason();
-
-  fill_report(mesh, deviations, report);
+  else if(mesh.is_full() || report.size_scale > 1.)
+    report.stop_reason = FACE_BUDGET;
+  else if(!report.is_maximum_deviation_met)
+    report.stop_reason = DEVIATION_NOT_MET;
   report.number_of_iterations = remesher.number_of_iterations();
   write_result(mesh, deviations.faces);
 }

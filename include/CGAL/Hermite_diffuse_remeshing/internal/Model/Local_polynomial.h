@@ -9,7 +9,11 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 
+#include <Eigen/QR>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace CGAL {
@@ -24,13 +28,17 @@ constexpr int monomial(const int order, const int j) { return order * (order + 1
 // M and N the sums of w x^a y^b over positions and slopes, the entry of x^a y^b and x^c y^d is
 //   M(a+c,b+d) + ac N(a+c-2,b+d) + bd N(a+c,b+d-2),
 // and the right-hand side of x^a y^b is  Z(a,b) + a P(a-1,b) + b Q(a,b-1)  with the sums Z, P, Q of
-// w z x^a y^b and so on. A product that is absent has factor 0 and any moment.
+// w z x^a y^b and so on. A product that is absent has factor 0 and any moment. The combined equations of
+// `Local_polynomial` with the order n multiply a monomial of order o by n - o: they add moments of their
+// own with the factor (n-a-b)(n-c-d), and n-a-b on the right-hand side.
 template <int Degree>
 struct Moment_table
 {
-  struct Entry { int position, slope_x, slope_y; double factor_x, factor_y; };
+  struct Entry { int position, slope_x, slope_y; double factor_x, factor_y, combined_factor; };
 
   static constexpr int size = number_of_monomials(Degree);
+  // the lowest even order above the degree
+  static constexpr int combined_order = 2 * (Degree / 2) + 2;
   Entry matrix[size][size] = {};         // lower triangle
   Entry rhs[size] = {};
 
@@ -44,6 +52,7 @@ struct Moment_table
         rhs[row].slope_y = j > 0 ? monomial(o - 1, j - 1) : 0;
         rhs[row].factor_x = o - j;
         rhs[row].factor_y = j;
+        rhs[row].combined_factor = combined_order - o;
         for(int p = 0; p <= Degree; ++p)
           for(int k = 0; k <= p; ++k)
           {
@@ -51,6 +60,7 @@ struct Moment_table
             entry.position = monomial(o + p, j + k);
             entry.factor_x = (o - j) * (p - k);
             entry.factor_y = j * k;
+            entry.combined_factor = (combined_order - o) * (combined_order - p);
             entry.slope_x = entry.factor_x > 0. ? monomial(o + p - 2, j + k) : 0;
             entry.slope_y = entry.factor_y > 0. ? monomial(o + p - 2, j + k - 2) : 0;
           }
@@ -63,6 +73,14 @@ struct Moment_table
 // that minimises  sum w_i [ (1-t) (f(x_i,y_i) - z_i)^2 + t (f_x - p_i)^2 + t (f_y - q_i)^2 ]
 // plus a ridge, solved by its normal equations. Coordinates are expected to be divided by a local
 // length; otherwise t and the ridge have no meaning.
+//
+// What the polynomial cannot describe spoils its second derivatives: mostly the terms of the next even
+// order n, which look like them on a ring of data. A position and a slope see such a term with different
+// factors, so that it can be eliminated. By Euler's identity x f_x + y f_y = o f for a term f of order o,
+// the combined equation
+//   n (f - z) - x (f_x - p) - y (f_y - q) = 0
+// is free of terms of order n. Added with a large weight it makes second derivatives about twice as
+// accurate; noise, of which it takes n times the position's, too.
 //
 // The data only enter by moments, which costs a third of adding up the products of equations.
 template <int Degree>
@@ -77,7 +95,8 @@ private:
 
   std::array<double, number_of_monomials(2 * Degree)> m_moments{};
   std::array<double, number_of_monomials(2 * Degree - 2)> m_slope_moments{};
-  std::array<double, size> m_z{};
+  std::array<double, number_of_monomials(2 * Degree)> m_combined_moments{};
+  std::array<double, size> m_z{}, m_combined_z{};
   std::array<double, size_of_slopes> m_p{}, m_q{};
   std::array<double, size> m_ridge{};
   std::array<double, size> m_coefficients{};
@@ -95,13 +114,16 @@ public:
     add_slopes(monomials(x, y), p, q, weight);
   }
 
-  // both
+  // both, and the combined equation
   void add_position_and_slopes(const double x, const double y, const double z, const double weight,
-                               const double p, const double q, const double slope_weight)
+                               const double p, const double q, const double slope_weight,
+                               const double combined_weight)
   {
     const Monomials m = monomials(x, y);
     add_positions(m, z, weight);
     add_slopes(m, p, q, slope_weight);
+    if(combined_weight > 0.)
+      add_combined(m, table.combined_order * z - x * p - y * q, combined_weight);
   }
 
   // Adds `ridge` times the square of one coefficient.
@@ -134,11 +156,13 @@ public:
       {
         const auto& e = table.matrix[i][j];
         a[i][j] = m_moments[e.position] + e.factor_x * m_slope_moments[e.slope_x]
-                                        + e.factor_y * m_slope_moments[e.slope_y];
+                                        + e.factor_y * m_slope_moments[e.slope_y]
+                                        + e.combined_factor * m_combined_moments[e.position];
       }
       a[i][i] += m_ridge[i];
       x[i] = m_z[i] + table.rhs[i].factor_x * m_p[table.rhs[i].slope_x]
-                    + table.rhs[i].factor_y * m_q[table.rhs[i].slope_y];
+                    + table.rhs[i].factor_y * m_q[table.rhs[i].slope_y]
+                    + table.rhs[i].combined_factor * m_combined_z[i];
     }
 
     std::array<double, size> diagonal, column;
@@ -171,7 +195,61 @@ public:
     return smallest_pivot;
   }
 
+  // The same for positions alone, the rows x, y, z, weight, by orthogonal transformations: several times
+  // slower, but a pivot that is zero comes out as the square of a rounding error, where the normal
+  // equations can make 1e-6 of it.
+  double solve_by_orthogonalization(const Eigen::Matrix<double, Eigen::Dynamic, 4>& positions, const int first)
+  {
+    const Eigen::Index n = positions.rows();
+    const int number_of_unknowns = size - first;
+    Eigen::MatrixXd matrix(n, number_of_unknowns);
+    Eigen::VectorXd rhs(n);
+    for(Eigen::Index i = 0; i < n; ++i)
+    {
+      const Monomials m = monomials(positions(i, 0), positions(i, 1));
+      const double root = std::sqrt(positions(i, 3));
+      for(int j = 0; j < number_of_unknowns; ++j)
+        matrix(i, j) = root * m[first + j];
+      rhs[i] = root * positions(i, 2);
+    }
+    const Eigen::VectorXd scale = matrix.colwise().norm();
+    if(n < number_of_unknowns || !(scale.minCoeff() > 0.))
+      return 0.;
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix * scale.cwiseInverse().asDiagonal());
+    const double least = qr.matrixQR().diagonal().cwiseAbs().minCoeff();
+    if(!(least > 0.))
+      return 0.;
+    const Eigen::VectorXd solution = qr.solve(rhs);
+    m_coefficients.fill(0.);
+    for(int j = 0; j < number_of_unknowns; ++j)
+      m_coefficients[first + j] = solution[j] / scale[j];
+    return least * least;
+  }
+
   double operator[](const int i) const { return m_coefficients[i]; }
+
+  // f(x,y)
+  double operator()(const double x, const double y) const
+  {
+    const Monomials m = monomials(x, y);
+    double sum = 0.;
+    for(int i = 0; i < size; ++i)
+      sum += m_coefficients[i] * m[i];
+    return sum;
+  }
+
+  // Of the terms of the given order, independent of the directions of x and y, see `add_ridge()`.
+  double squared_norm(const int order) const
+  {
+    double sum = 0., binomial = 1.;
+    for(int j = 0; j <= order; ++j)
+    {
+      const double c = m_coefficients[monomial(order, j)];
+      sum += c * c / binomial;
+      binomial *= double(order - j) / double(j + 1);
+    }
+    return sum;
+  }
 
 private:
   typedef std::array<double, number_of_monomials(2 * Degree)> Monomials;
@@ -210,6 +288,15 @@ private:
       m_p[i] += weighted_p * m[i];
       m_q[i] += weighted_q * m[i];
     }
+  }
+
+  void add_combined(const Monomials& m, const double rhs, const double weight)
+  {
+    for(std::size_t i = 0; i < m_combined_moments.size(); ++i)
+      m_combined_moments[i] += weight * m[i];
+    const double weighted_rhs = weight * rhs;
+    for(std::size_t i = 0; i < m_combined_z.size(); ++i)
+      m_combined_z[i] += weighted_rhs * m[i];
   }
 };
 

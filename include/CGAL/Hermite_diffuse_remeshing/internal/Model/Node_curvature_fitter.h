@@ -36,15 +36,18 @@ public:
     const Node& center = m_surface.node(node);
     if(center.is_singular || !center.has_normal())
       return evaluated(node);
-    m_neighborhood.collect(node, m_surface.cut_mesh().is_open(node) ? 3 : 2);
+    const bool is_open = m_surface.cut_mesh().is_open(node);
+    m_neighborhood.collect(node, is_open ? 3 : 2);
     const Node_frame frame(center.position, center.normal,
                            m_surface.node(*m_surface.cut_mesh().ring(node).begin()).position, center.size);
+    // in one-sided neighbourhoods terms of odd orders do not cancel, and are worse than those of even ones
+    const double combined_share = is_open ? 0. : center.combined_share;
     Monge_form result;
     constexpr int least_number_for_quartic = 8;
     const bool is_smooth = m_surface.options().normals == SMOOTH_NORMALS;
-    if(!is_smooth && m_neighborhood.size() >= least_number_for_quartic && fit<4>(frame, result))
+    if(!is_smooth && m_neighborhood.size() >= least_number_for_quartic && fit<4>(frame, combined_share, result))
       return result;
-    if(fit<3>(frame, result))
+    if(fit<3>(frame, combined_share, result))
       return result;
     return evaluated(node);
   }
@@ -56,7 +59,7 @@ private:
   }
 
   template <int Degree>
-  bool fit(const Node_frame& frame, Monge_form& result) const
+  bool fit(const Node_frame& frame, const double combined_share, Monge_form& result) const
   {
     // own normal: exactly the frame's; own position: there is no constant term
     constexpr double own_weight = 1e8, ridge = 1e-9, least_pivot = 1e-9;
@@ -64,6 +67,9 @@ private:
     // deserves little more trust than a far one
     const double weight_floor = m_surface.options().normals == SMOOTH_NORMALS ? 3. : 1e-6;
     const double t = m_surface.options().hermite_weight;
+    // Two rings of neighbours determine the fit even with little else than combined equations: measured on
+    // smooth surfaces, this weight halves the largest errors, and the median ones.
+    constexpr double combined_weight = 3.;
     Local_polynomial<Degree> polynomial;
     polynomial.add_slopes(0., 0., 0., 0., t * own_weight);
     double total_weight = 0.;
@@ -72,10 +78,12 @@ private:
       const Vector x = frame.local(m_surface.node(j).position);
       const double weight = 1. / (x.squaredNorm() + weight_floor);
       total_weight += weight;
-      polynomial.add_position(x[0], x[1], x[2], (1. - t) * weight);
       double p, q;
       if(frame.slopes_of_normal(m_surface.node(j).normal, p, q))
-        polynomial.add_slopes(x[0], x[1], p, q, t * weight);
+        polynomial.add_position_and_slopes(x[0], x[1], x[2], (1. - t) * weight, p, q, t * weight,
+                                           combined_share * combined_weight * weight);
+      else
+        polynomial.add_position(x[0], x[1], x[2], (1. - t) * weight);
     }
     for(int order = 2; order <= Degree; ++order)
       polynomial.add_ridge(order, ridge * total_weight);

@@ -17,28 +17,37 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// What a fit needs to know of a node.
+// A cubic has ten coefficients; few neighbours on one side determine it badly.
+enum Soft_degree : unsigned char { CUBIC, DAMPED_CUBIC, QUADRATIC };
+
+// What a fit needs to know of a node, in the 64 bytes of a cache line.
 struct Node
 {
   Vector position = Vector::Zero();
   Vector normal = Vector::Zero();        // unit, or zero: none
   double size = 0.;                      // mean distance to its ring
-  double cubic_ridge = 0.;               // soft degree, see `soft_degree_ridge()`
+  float combined_share = 0.f;            // in [0,1]: of the weight of combined equations, see `Normal_fitter`
+  Soft_degree soft_degree = CUBIC;
   bool is_singular = false;              // apex: a position only, no normal, no ring
 
   bool has_normal() const { return normal != Vector::Zero(); }
+
+  // Of the terms of order three near the node; a large one turns a cubic into a quadratic. Because the
+  // ridge is blended over the face, the degree changes continuously.
+  double cubic_ridge() const
+  {
+    constexpr double ridge[] = {1e-9, 1e-2, 1.};
+    return ridge[soft_degree];
+  }
 };
 
-// Ridge on the terms of order three near a node. A cubic has ten coefficients; few neighbours on
-// one side determine it badly, and a large ridge turns it into a quadratic. So does an apex, which
-// has no normal and near which nothing is smooth: measured on cones, cubics there are farther from
-// the surface by a third. Because the ridge is blended over the face, the degree changes continuously.
-inline double soft_degree_ridge(const bool is_singular, const bool is_open, const int ring_size)
+// An apex has no normal, and nothing is smooth near it: measured on cones, cubics there are farther from
+// the surface by a third.
+inline Soft_degree soft_degree(const bool is_singular, const bool is_open, const int ring_size)
 {
-  constexpr double none = 1e-9, some = 1e-2, quadratic = 1.;
   if(is_singular || ring_size <= 3)
-    return quadratic;
-  return is_open && ring_size == 4 ? some : none;
+    return QUADRATIC;
+  return is_open && ring_size == 4 ? DAMPED_CUBIC : CUBIC;
 }
 
 inline std::vector<Node> make_nodes(const Indexed_triangles& surface,
@@ -57,7 +66,7 @@ inline std::vector<Node> make_nodes(const Indexed_triangles& surface,
     node.size /= ring.size();
     // all its neighbours coincide with it: there is no length to scale a fit with
     node.is_singular = node.is_singular || !(node.size > 0.);
-    node.cubic_ridge = soft_degree_ridge(node.is_singular, cut_mesh.is_open(i), ring.size());
+    node.soft_degree = soft_degree(node.is_singular, cut_mesh.is_open(i), ring.size());
   }
   return nodes;
 }

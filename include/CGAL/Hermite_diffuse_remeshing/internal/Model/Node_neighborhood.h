@@ -12,6 +12,8 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -114,6 +116,50 @@ private:
         if(!m_nodes[j].is_singular)
           m_neighbors.push_back(j);
       }
+  }
+};
+
+// Coordinates of the plane of a frame in which the neighbours are spread equally in all directions: without
+// them a quartic over stretched triangles looks as if it were not determined. They are L^-1 (x,y), where
+// L L^T is the mean of (x,y) (x,y)^T.
+class Spread
+{
+  double m_xx = 0., m_yx = 0., m_yy = 0.;             // of L
+
+public:
+  Spread(const Node_frame& frame, const Node_neighborhood& neighborhood, const std::vector<Node>& nodes)
+  {
+    double xx = 0., xy = 0., yy = 0.;
+    for(const int j : neighborhood.neighbors())
+    {
+      const Vector x = frame.local(nodes[j].position) / std::sqrt(double(neighborhood.size()));
+      xx += x[0] * x[0];
+      xy += x[0] * x[1];
+      yy += x[1] * x[1];
+    }
+    m_xx = std::sqrt(xx);
+    m_yx = xx > 0. ? xy / m_xx : 0.;
+    m_yy = std::sqrt((std::max)(0., yy - m_yx * m_yx));
+  }
+
+  // not all on one line
+  bool is_regular() const
+  {
+    constexpr double least_ratio = 1e-6;
+    return m_yy > least_ratio * m_xx && m_xx > least_ratio * m_yy;
+  }
+
+  Eigen::Vector2d equalized(const Vector& x) const
+  {
+    const double u = x[0] / m_xx;
+    return Eigen::Vector2d(u, (x[1] - m_yx * u) / m_yy);
+  }
+
+  // with the slopes in these coordinates
+  Vector normal_of_slopes(const Node_frame& frame, const double p, const double q) const
+  {
+    const double slope_y = q / m_yy;
+    return frame.normal_of_slopes((p - m_yx * slope_y) / m_xx, slope_y);
   }
 };
 

@@ -14,100 +14,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
-#include <vector>
+#include <array>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Barycentric coordinates of the point of the triangle (a,b,c) closest to p; coordinates are exactly
-// zero where the closest point is on a side or at a corner.
-inline Barycentric closest_barycentric(const Vector& a, const Vector& b, const Vector& c, const Vector& p)
-{
-  const auto on_segment = [](const Vector& s, const Vector& t, const Vector& q)
-  {
-    const Vector d = t - s;
-    const double length2 = d.squaredNorm();
-    return length2 > 0. ? (std::min)(1., (std::max)(0., (q - s).dot(d) / length2)) : 0.;
-  };
-  const Vector n = (b - a).cross(c - a);
-  const double area2 = n.squaredNorm();
-  Barycentric l = {{-1., -1., -1.}};
-  if(area2 > 0.)
-  {
-    l[0] = (b - p).cross(c - p).dot(n) / area2;
-    l[1] = (c - p).cross(a - p).dot(n) / area2;
-    l[2] = 1. - l[0] - l[1];
-  }
-  if(l[0] >= 0. && l[1] >= 0. && l[2] >= 0.)
-    return l;
-
-  // on the border: the closest of the three sides
-  const Vector* const corner[3] = {&a, &b, &c};
-  double best = (std::numeric_limits<double>::max)();
-  Barycentric result = {{1., 0., 0.}};
-  for(int k = 0; k < 3; ++k)
-  {
-    const Vector& s = *corner[k];
-    const Vector& t = *corner[next(k)];
-    const double u = on_segment(s, t, p);
-    const double distance2 = (p - s - u * (t - s)).squaredNorm();
-    if(distance2 < best)
-    {
-      best = distance2;
-      result[k] = 1. - u;
-      result[next(k)] = u;
-      result[previous(k)] = 0.;
-    }
-  }
-  return result;
-}
-
 // Finds points on the reference. A query with a hint walks from face to face without ever crossing
-// a feature; one without asks the AABB tree of the patch, or of the whole surface.
+// a feature; one without asks the tree.
 class Reference_locator
 {
   const Reference_surface& m_surface;
-  std::vector<std::unique_ptr<Triangle_tree> > m_trees;        // one per patch
+  Triangle_tree m_tree;
 
 public:
   explicit Reference_locator(const Reference_surface& surface)
-    : m_surface(surface)
-  {
-    const Cut_mesh& cut_mesh = surface.cut_mesh();
-    std::vector<std::vector<int> > faces(cut_mesh.number_of_patches());
-    for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
-      faces[cut_mesh.patch(f)].push_back(f);
-    for(const std::vector<int>& patch : faces)
-      m_trees.emplace_back(new Triangle_tree(surface.triangles(), patch));
-  }
-
-  // closest point of the facets of a patch
-  Location closest_on_patch(const Vector& p, const int patch) const
-  {
-    return location_on_face(m_trees[patch]->closest(p).first, p);
-  }
+    : m_surface(surface), m_tree(surface.triangles())
+  {}
 
   // closest point of all facets
   Location closest(const Vector& p) const
   {
-    Location best;
-    double best_distance2 = (std::numeric_limits<double>::max)();
-    for(std::size_t patch = 0; patch < m_trees.size(); ++patch)
-    {
-      if(m_trees[patch]->squared_distance_to_box(p) >= best_distance2)
-        continue;
-      const Location location = closest_on_patch(p, static_cast<int>(patch));
-      const double distance2 = (m_surface.triangles().point(location) - p).squaredNorm();
-      if(distance2 < best_distance2)
-      {
-        best_distance2 = distance2;
-        best = location;
-      }
-    }
-    return best;
+    return location_on_face(m_tree.closest(p).first, p);
   }
 
   // Descends from face to face to a facet point that no neighbouring face improves. The result is
@@ -182,16 +110,21 @@ public:
   {
     Location location;
     Local_quadric quadric;
-    double distance = 0.;        // of p to the model's point, without sign
   };
 
   Projection project(const Vector& p, const int hint, const double tolerance = 1e-6) const
+  {
+    return project_from(p, walk(p, hint), tolerance);
+  }
+
+  // same, with a start for Newton's method
+  Projection project_from(const Vector& p, const Location& start, const double tolerance) const
   {
     constexpr int maximum_number_of_steps = 30;
     // a step far below the tolerance; one just below it may still be the one that reaches it
     constexpr double stall = 1e-3;
     Projection best;
-    best.location = walk(p, hint);
+    best.location = start;
     best.quadric = m_surface.evaluate(best.location);
     double best_residual = tangential_residual(best.quadric, p);
     Projection current = best;
@@ -211,18 +144,12 @@ public:
         best_residual = residual;
       }
     }
-    best.distance = (p - best.quadric.point()).norm();
     return best;
   }
 
   Location location_on_face(const int f, const Vector& p) const
   {
-    const Indexed_triangles& triangles = m_surface.triangles();
-    Location location;
-    location.face = f;
-    location.coordinates = closest_barycentric(triangles.point(f, 0), triangles.point(f, 1),
-                                               triangles.point(f, 2), p);
-    return location;
+    return closest_on_face(m_surface.triangles(), f, p);
   }
 
 private:

@@ -43,10 +43,12 @@ struct Model_options
   int exponent = 2;                                   // of w/(1-w): 1 or 2
   double hermite_weight = 0.3;                        // t: slopes against positions
   Normal_estimation normals = FITTED_NORMALS;
+  double combined_weight = 1.;                        // of the combined equations of `Local_polynomial`
   bool has_soft_degree = true;                        // terms of order three are damped where they are
-                                                      // not determined, see `soft_degree_ridge()`
+                                                      // not determined, see `soft_degree()`
   bool is_solved_at_centroids = false;                // the paper's: one polynomial of degree 2 per face,
                                                       // which jumps across edges
+  bool is_parallel = false;                           // with threads of TBB, where it is linked
 };
 
 // The local surface z = a0 + a1 x + a2 y + a3 x^2 + a4 xy + a5 y^2 in units of `size`, in a frame
@@ -89,8 +91,9 @@ class Reference_surface
   Model_options m_options;
   std::vector<Local_quadric> m_quadrics;              // of the faces, if they are solved at centroids
 
-  // slopes of a normal that lies nearly in the plane of the frame carry no information
-  static constexpr double least_cosine = 0.2;
+  // Slopes of a normal that lies nearly in the plane of the frame carry no information. The frame turns with
+  // the query, so they fade: a node that came in or went out at once would break the surface.
+  static constexpr double least_cosine = 0.2, trusted_cosine = 0.5;
   static constexpr double ridge = 1e-9;
 
 public:
@@ -101,12 +104,17 @@ public:
     : m_triangles(std::move(triangles)), m_cut_mesh(std::move(cut_mesh)),
       m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)), m_options(options)
   {
-    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, progress, m_nodes);
+    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, options.is_parallel, progress,
+                          m_nodes);
     if(!options.is_solved_at_centroids)
       return;
-    m_quadrics.reserve(m_triangles.triangles.size());
-    for(int f = 0; f < m_triangles.number_of_faces(); ++f, progress(1.))
-      m_quadrics.push_back(solve({f, {{1. / 3., 1. / 3., 1. / 3.}}}));
+    m_options.combined_weight = 0.;     // the paper has none
+    std::vector<Local_quadric> quadrics(m_triangles.triangles.size());
+    for_each_index(m_triangles.number_of_faces(), options.is_parallel, [&]
+    {
+      return [&](const int f) { quadrics[f] = solve({f, {{1. / 3., 1. / 3., 1. / 3.}}}); };
+    }, progress.part(1., 1.));
+    m_quadrics.swap(quadrics);
   }
 
   const Indexed_triangles& triangles() const { return m_triangles; }
@@ -148,6 +156,12 @@ public:
   }
 
 private:
+  static double trust(const double cosine)
+  {
+    const double u = (std::min)(1., (cosine - least_cosine) / (trusted_cosine - least_cosine));
+    return u * u * (3. - 2. * u);
+  }
+
   Local_quadric solve(const Location& location) const
   {
     Local_quadric result;
@@ -156,11 +170,14 @@ private:
     result.x_axis = any_normal(result.z_axis);
     result.y_axis = result.z_axis.cross(result.x_axis);
 
-    double weight = 0., size = 0., cubic_ridge = 0.;
+    double weight = 0., size = 0., cubic_ridge = 0., combined_weight = 0., between_singular = 0.;
     for(int k = 0; k < 3; ++k)
     {
+      if(node(location.face, k).is_singular && node(location.face, next(k)).is_singular)
+        between_singular += location.coordinates[k] * location.coordinates[next(k)];
       const Node& corner = node(location.face, k);
-      cubic_ridge += location.coordinates[k] * corner.cubic_ridge;
+      cubic_ridge += location.coordinates[k] * corner.cubic_ridge();
+      combined_weight += location.coordinates[k] * corner.combined_share * m_options.combined_weight;
       if(corner.is_singular)
         continue;
       weight += location.coordinates[k];
@@ -172,15 +189,21 @@ private:
 
     switch(m_options.degree)
     {
-      case 2:  fit<2>(location, cubic_ridge, result); break;
-      case 4:  fit<4>(location, cubic_ridge, result); break;
-      default: fit<3>(location, cubic_ridge, result); break;
+      case 2:  fit<2>(location, cubic_ridge, combined_weight, result); break;
+      case 4:  fit<4>(location, cubic_ridge, combined_weight, result); break;
+      default: fit<3>(location, cubic_ridge, combined_weight, result); break;
     }
+    // An edge between two apices is straight, as no normal is known there. The fit beside it is led to it: this
+    // factor is zero on that edge and one on the two others.
+    if(between_singular > 0.)
+      for(double& a : result.a)
+        a *= weight / (weight + between_singular);
     return result;
   }
 
   template <int Degree>
-  void fit(const Location& location, const double cubic_ridge, Local_quadric& result) const
+  void fit(const Location& location, const double cubic_ridge, const double combined_weight,
+           Local_quadric& result) const
   {
     Node_weights weights;
     collect_node_weights(m_cut_mesh, m_nodes, location, weights);
@@ -196,9 +219,13 @@ private:
       const Vector d = (node.position - result.origin) / result.size;
       const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), z = d.dot(result.z_axis);
       const double nz = node.normal.dot(result.z_axis);
+      // The combined equation multiplies errors of slopes by the distance, those of positions by the
+      // order: on stretched faces, where some nodes are several sizes away, its weight must fall.
+      const double r2 = x * x + y * y;
       if(nz > least_cosine)
         polynomial.add_position_and_slopes(x, y, z, (1. - t) * omega, -node.normal.dot(result.x_axis) / nz,
-                                           -node.normal.dot(result.y_axis) / nz, t * omega);
+                                           -node.normal.dot(result.y_axis) / nz, t * omega * trust(nz),
+                                           combined_weight * omega * trust(nz) / (1. + r2 * r2));
       else
         polynomial.add_position(x, y, z, (1. - t) * omega);
     }

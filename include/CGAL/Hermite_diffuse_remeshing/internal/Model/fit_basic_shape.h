@@ -63,14 +63,12 @@ inline bool guess_sphere(const std::vector<Vector>& points, Basic_shape& shape)
   return true;
 }
 
-// the axis is normal to all normals; across it, a circle
-inline bool guess_cylinder(const std::vector<Vector>& points, const std::vector<Vector>& normals, Basic_shape& shape)
+// The circle, seen along the direction of the shape, through points: by the same linear equation in a plane.
+inline bool guess_circle(const std::vector<Vector>& points, Basic_shape& shape)
 {
-  shape.direction = least_direction(normals, Vector::Zero());
-  const Vector origin = mean_point(points);
+  const Vector origin = mean_point(points), u = any_normal(shape.direction), w = shape.direction.cross(u);
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Vector rhs = Vector::Zero();
-  const Vector u = any_normal(shape.direction), w = shape.direction.cross(u);
   for(const Vector& p : points)
   {
     const double x = (p - origin).dot(u), y = (p - origin).dot(w);
@@ -85,6 +83,13 @@ inline bool guess_cylinder(const std::vector<Vector>& points, const std::vector<
   shape.point = origin + x[0] * u + x[1] * w;
   shape.radius = std::sqrt(radius2);
   return true;
+}
+
+// the axis is normal to all normals; across it, a circle
+inline bool guess_cylinder(const std::vector<Vector>& points, const std::vector<Vector>& normals, Basic_shape& shape)
+{
+  shape.direction = least_direction(normals, Vector::Zero());
+  return guess_circle(points, shape);
 }
 
 // all tangent planes meet at the apex, and make the same angle with the axis
@@ -125,23 +130,7 @@ inline bool guess_torus(const std::vector<Vector>& points, const std::vector<Vec
     centers.push_back(points[i] + normals[i] / curvature);
   shape.direction = least_direction(centers, mean_point(centers));
   shape.tube_radius = std::abs(1. / curvature);
-  const Vector origin = mean_point(centers), u = any_normal(shape.direction), w = shape.direction.cross(u);
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-  Vector rhs = Vector::Zero();
-  for(const Vector& c : centers)
-  {
-    const double x = (c - origin).dot(u), y = (c - origin).dot(w);
-    const Vector row(2. * x, 2. * y, 1.);
-    matrix += row * row.transpose();
-    rhs += (x * x + y * y) * row;
-  }
-  const Vector x = matrix.ldlt().solve(rhs);
-  const double radius2 = x[2] + x.head<2>().squaredNorm();
-  if(!x.allFinite() || !(radius2 > 0.))
-    return false;
-  shape.point = origin + x[0] * u + x[1] * w;
-  shape.radius = std::sqrt(radius2);
-  return true;
+  return guess_circle(centers, shape);
 }
 
 // A surface of the given type through points, with the node's own curvatures as a hint for the torus;

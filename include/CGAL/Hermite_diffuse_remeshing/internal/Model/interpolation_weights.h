@@ -70,9 +70,9 @@ inline void collect_node_weights(const Cut_mesh& cut_mesh, const std::vector<Nod
 // the paper's and leaves a small cone point at every node; exponent 2 removes it.
 inline double interpolating_weight(const double w, const int exponent)
 {
-  // both give a ratio of 1e8 between a node and its ring, which closes the gap to 1e-9 of an
-  // edge while the normal equations stay well conditioned
-  constexpr double least_complement_squared = 1e-4, least_complement = 1e-8;
+  // a ratio of 4e8, or 1e8, between a node and its ring, which closes the gap to 1e-9 of an edge and turns
+  // the normal by less than 1e-8 while the normal equations stay well conditioned
+  constexpr double least_complement_squared = 5e-5, least_complement = 1e-8;
   if(exponent == 1)
     return w / (std::max)(1. - w, least_complement);
   const double ratio = w / (std::max)(1. - w, least_complement_squared);

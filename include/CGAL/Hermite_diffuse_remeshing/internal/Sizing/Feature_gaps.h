@@ -39,9 +39,9 @@ class Feature_gaps
   typedef std::pair<Box, int> Entry;              // of an edge of the reference
 
   const Indexed_triangles& m_triangles;
-  const Cut_mesh& m_cut_mesh;
   const Edge_table& m_edges;
   const Feature_curves& m_curves;
+  std::vector<int> m_patch_of_face;               // connected by edges that are no features
   boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16> > m_tree;
 
   // The shortest way to the other curve leaves a curve at a right angle, along the surface; less than this
@@ -52,8 +52,10 @@ class Feature_gaps
 public:
   Feature_gaps(const Indexed_triangles& triangles, const Cut_mesh& cut_mesh, const Edge_table& edges,
                const Feature_curves& curves)
-    : m_triangles(triangles), m_cut_mesh(cut_mesh), m_edges(edges), m_curves(curves)
+    : m_triangles(triangles), m_edges(edges), m_curves(curves)
   {
+    if(!curves.curves.empty())
+      collect_patches(cut_mesh);
     std::vector<Entry> entries;
     for(const Feature_curve& curve : curves.curves)
       for(const int e : curve.edges)
@@ -91,6 +93,33 @@ public:
   }
 
 private:
+  void collect_patches(const Cut_mesh& cut_mesh)
+  {
+    const int number_of_faces = m_triangles.number_of_faces();
+    m_patch_of_face.assign(number_of_faces, -1);
+    std::vector<int> open;
+    for(int seed = 0; seed < number_of_faces; ++seed)
+    {
+      if(m_patch_of_face[seed] != -1)
+        continue;
+      m_patch_of_face[seed] = seed;
+      open.assign(1, seed);
+      while(!open.empty())
+      {
+        const int f = open.back();
+        open.pop_back();
+        for(int k = 0; k < 3; ++k)
+        {
+          const int g = cut_mesh.neighbor(f, k);
+          if(g == -1 || m_patch_of_face[g] != -1)
+            continue;
+          m_patch_of_face[g] = seed;
+          open.push_back(g);
+        }
+      }
+    }
+  }
+
   static Box_corner corner(const Vector& p) { return Box_corner(p[0], p[1], p[2]); }
 
   bool are_apart(const int c, const int d) const
@@ -116,7 +145,7 @@ private:
       for(int j = 0; j < m_edges.number_of_sides(other); ++j)
       {
         const int f = m_edges.side(edge, i).face;
-        if(m_cut_mesh.patch(f) == m_cut_mesh.patch(m_edges.side(other, j).face)
+        if(m_patch_of_face[f] == m_patch_of_face[m_edges.side(other, j).face]
            && std::abs(direction.dot(m_triangles.area_vector(f).stableNormalized())) < largest_cosine)
           return true;
       }

@@ -431,7 +431,7 @@ private:
       if(m_cells.is_leaf(c))
         leaves.push_back(m_cells[c].samples);
     const auto position = [this](const int i) -> const Vector& { return m_samples[i].position; };
-    limit_gradation(leaves, position, slope_of_gradation(m_sources.options().gradation), m_sizes);
+    limit_gradation(leaves, position, slope_of_gradation(m_sources.options().gradation), m_sizes, m_progress);
     if(!m_frozen.is_empty())
       m_frozen.raise(leaves, position, m_sizes);
   }

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_LIMIT_GRADATION_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
 #include <algorithm>
 #include <array>
@@ -64,7 +65,7 @@ inline double bound_from_segment(const Vector& a, const Vector& b, const double 
 // `triangles`: three indices each, into `sizes` and `point(index)`.
 template <typename PointOfIndex>
 void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
-                     const double slope, std::vector<double>& sizes)
+                     const double slope, std::vector<double>& sizes, const Progress& progress = Progress())
 {
   // in slivers rounding would lower a size again and again by its last digit
   constexpr double least_gain = 1e-9;
@@ -86,6 +87,7 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
       queue.push(Entry(sizes[i], static_cast<int>(i)));
   while(!queue.empty())
   {
+    progress(0.);
     const Entry top = queue.top();
     queue.pop();
     const int i = top.second;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -87,17 +88,35 @@ struct Reference
     double distance;
   };
 
-  // distance of p to the surface near a face of the reference
-  Nearest nearest(const Vector& p, const int hint, const double tolerance) const
+  // Distance of p to the surface near a location. The locator knows the fit without the displacement, so
+  // it is asked for the foot of p minus the displacement at the last foot. Each foot gives a distance,
+  // of which the smallest counts: this converges fast where the displacement is small against the face.
+  Nearest nearest(const Vector& p, const Location& start, const double tolerance) const
   {
-    const Reference_locator::Projection projection = locator.project(p, hint, tolerance);
-    const Vector gap = p - projection.quadric.point();
-    const Vector normal = projection.quadric.normal();
-    const Vector displaced = gap - feature_displacement(projection.location);
-    // what is left along the surface when Newton's method has converged is no distance
-    if((gap - gap.dot(normal) * normal).norm() <= 2. * tolerance * projection.quadric.size)
-      return {projection.location, std::abs(displaced.dot(normal))};
-    return {projection.location, displaced.norm()};
+    constexpr int maximum_number_of_steps = 10;
+    Nearest best{start, std::numeric_limits<double>::infinity()};
+    Vector displacement = feature_displacement(start);
+    Location location = start;
+    for(int step = 0; step < maximum_number_of_steps; ++step)
+    {
+      const Reference_locator::Projection projection =
+        locator.project_from(p - displacement, location, tolerance);
+      const Vector normal = projection.quadric.normal();
+      Vector gap = p - displacement - projection.quadric.point();
+      // what is left along the surface when Newton's method has converged is no distance
+      const Vector residual = gap - gap.dot(normal) * normal;
+      if(residual.norm() <= 2. * tolerance * projection.quadric.size)
+        gap -= residual;
+      location = projection.location;
+      const Vector change = feature_displacement(location) - displacement;
+      const double distance = (gap - change).norm();
+      if(distance < best.distance)
+        best = {location, distance};
+      if(change.norm() <= tolerance * distance)
+        break;
+      displacement += change;
+    }
+    return best;
   }
 
   // on the model, above the point of the facets that is closest to p near a face of the reference

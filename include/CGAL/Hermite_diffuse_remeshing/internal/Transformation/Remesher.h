@@ -42,6 +42,8 @@ class Remesher
   static constexpr int number_of_tight_passes = 3;
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
   static constexpr double negligible_part = 5e-4;
+  // of the faces that have changed, where only a part of the mesh is adapted again
+  static constexpr double negligible_part_of_changed = 0.01;
   // triangles with a better score are not worth a search
   static constexpr double satisfying_score = 0.6;
   static constexpr int maximum_number_of_optimisation_passes = 20;
@@ -66,10 +68,14 @@ public:
   }
 
   // sizes: every edge into its band
-  Stop_reason adapt() { return adapt_from(0); }
+  Stop_reason adapt() { return adapt_from(0, 0); }
 
-  // after some sizes have changed
-  Stop_reason adapt_again() { return adapt_from(1); }
+  // same, where sizes or faces have changed since; the rest is left alone
+  Stop_reason adapt_again(const std::size_t since)
+  {
+    m_flipped_at = m_balanced_at = m_improved_at = m_hunted_at = since;
+    return adapt_from(1, since);
+  }
 
 private:
   // runs an operator on what has changed since it ran last
@@ -81,19 +87,29 @@ private:
     return run(since);
   }
 
+  bool is_negligible(const std::size_t changes, const std::size_t since) const
+  {
+    if(changes <= negligible_part * m_mesh.number_of_faces())
+      return true;
+    return since > 0
+        && changes <= negligible_part_of_changed
+                      * std::count_if(faces(m_mesh.tmesh()).begin(), faces(m_mesh.tmesh()).end(), [&](const auto f)
+                                      { return m_mesh.is_remeshed(f) && m_mesh.has_changed(f, since); });
+  }
+
   void update_hints()
   {
     since_last(m_hinted_at, [&](const std::size_t since) { m_mesh.update_hints(since); return 0; });
   }
 
-  Stop_reason adapt_from(const int first_iteration)
+  Stop_reason adapt_from(const int first_iteration, const std::size_t since_change)
   {
     for(int i = first_iteration; i < first_iteration + m_maximum_number_of_iterations; ++i)
     {
       ++m_number_of_iterations;
       const double bound = band(i);
-      std::size_t changes = split_long_edges(m_mesh, bound);
-      changes += collapse_short_edges(m_mesh, 1. / bound, bound);
+      std::size_t changes = split_long_edges(m_mesh, bound, since_change);
+      changes += collapse_short_edges(m_mesh, 1. / bound, bound, since_change);
       changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_VALENCE, since); });
       since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
       update_hints();
@@ -101,7 +117,7 @@ private:
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;
       // a mesh that is full at first may have room after the collapses
-      if(i > 0 && changes <= negligible_part * m_mesh.number_of_faces())
+      if(i > 0 && is_negligible(changes, since_change))
         return m_mesh.is_full() ? FACE_BUDGET : CONVERGED;
     }
     return m_mesh.is_full() ? FACE_BUDGET : ITERATION_BOUND;
@@ -109,7 +125,7 @@ private:
 
 public:
   // shapes: sizes come second, and the worst score that an operation touches never falls
-  Stop_reason optimise(const Stop_reason reason)
+  Stop_reason optimise(const Stop_reason reason, const std::size_t since_change = 0)
   {
     for(int i = 0; i < maximum_number_of_optimisation_passes; ++i)
     {
@@ -121,7 +137,7 @@ public:
       m_mesh.report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;
-      if(changes <= negligible_part * m_mesh.number_of_faces())
+      if(is_negligible(changes, since_change))
         break;
     }
     since_last(m_hunted_at, [&](const std::size_t since)

@@ -17,6 +17,7 @@
 
 #include <boost/container/static_vector.hpp>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -210,14 +211,15 @@ public:
   // the size map has changed
   void update_sizes()
   {
+    // the far end of a slope of the sizes, which no operator would notice, is no change
+    constexpr double least_change = 0.01;
     ++m_number_of_changes;
     for(Vertex& vertex : m_vertices)
     {
       const double size = m_reference.sizes(vertex.site.location);
-      if(size == vertex.site.size)
-        continue;
+      if(std::abs(size - vertex.site.size) > least_change * vertex.site.size)
+        vertex.change = m_number_of_changes;
       vertex.site.size = size;
-      vertex.change = m_number_of_changes;
     }
   }
 

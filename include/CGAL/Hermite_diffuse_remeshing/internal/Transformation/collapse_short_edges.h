@@ -183,13 +183,16 @@ std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_c
 }
 
 // Collapses the edges that are shorter than `bound` times their size where no edge becomes longer than
-// `longest_length` times its size: what a collapse makes is not split again.
+// `longest_length` times its size: what a collapse makes is not split again. Only edges with changes around
+// them are looked at.
 template <typename UserMesh>
-std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length)
+std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
+                                 const std::size_t since)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   return collapse_edges(mesh,
-    [&](const halfedge_descriptor h) { return mesh.relative_length(h) < bound && !mesh.is_protected(h); },
+    [&](const halfedge_descriptor h)
+    { return mesh.has_changed(h, since) && mesh.relative_length(h) < bound && !mesh.is_protected(h); },
     longest_length,
     [](const Worth& after, const Worth& before) { return is_score_acceptable(after.score, before.score, score_floor); });
 }

@@ -30,7 +30,7 @@ namespace internal {
 // combinations. An operation is done if the worst face that it makes is better than the worst of those
 // that it replaces, so the smallest score and the smallest quality of the mesh never fall. Every step
 // raises a score by the margin at least, and a face for which none is found waits until something changes
-// beside it: the hunt ends.
+// beside it; as many small steps would take too long, the number of tries is bounded too: the hunt ends.
 template <typename UserMesh>
 class Worst_face_hunt
 {
@@ -68,6 +68,11 @@ class Worst_face_hunt
 
   // shape comes before size here, but not without limit: lengths relative to the size
   static constexpr double longest_length = 2., shortest_length_to_split = 1.;
+  // per face that is bad at first; one that can be helped is after a few tries
+  static constexpr std::size_t maximum_number_of_tries = 20;
+  // A vertex of a long protected edge may have hundreds of faces, all of them bad: what looks at pairs of its
+  // edges is not tried there.
+  static constexpr std::size_t largest_degree = 24;
 
 public:
   Worst_face_hunt(Mesh& mesh, const double satisfying_score) : m_mesh(mesh), m_satisfying_score(satisfying_score) {}
@@ -79,7 +84,8 @@ public:
       if(m_mesh.is_remeshed(f) && m_mesh.has_changed(f, since))
         push(halfedge(f, m_mesh.tmesh()));
     std::size_t number = 0;
-    while(!m_queue.empty() && !m_mesh.is_stopped())
+    const std::size_t last_try = maximum_number_of_tries * m_queue.size();
+    for(std::size_t i = 0; i < last_try && !m_queue.empty() && !m_mesh.is_stopped(); ++i)
     {
       const Entry entry = *m_queue.begin();
       m_queue.erase(m_queue.begin());
@@ -166,6 +172,8 @@ private:
         plan_collapse(side, plan);
         plan_collapse(opposite(side, tm), plan);
         plan_split(side, plan);
+        if(degree(target(side, tm), tm) > largest_degree)
+          continue;
         plan_removals(target(side, tm), plan);
         plan_flips_and_relocation(target(side, tm), plan);
       }

@@ -83,14 +83,16 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
     after.add(worth(reference, mesh.site(source(side, tm)), site, opposite_site, mesh.hint(side)));
     after.add(worth(reference, site, mesh.site(target(side, tm)), opposite_site, mesh.hint(side)));
   }
-  return is_score_acceptable(after.score, share_of_half * before.score, score_floor);
+  return after.score > least_score ? after.score >= (std::min)(score_floor, share_of_half * before.score)
+                                   : after.score > before.score + score_margin;
 }
 
 // Splits the edges that are longer than `bound` times their size, or too far from their feature curve, longest
 // first; edges that are still too long after that are met again in the next round. Lengths halve, so the
-// rounds end.
+// rounds end. Only edges
+// with changes around them are looked at.
 template <typename UserMesh>
-std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound)
+std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   // halves the longest edge from the model's diameter to its rounding
@@ -100,7 +102,8 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound)
   {
     const std::size_t before_round = mesh.counts().splits;
     const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h, const double length)
-                                     { return (length > bound || !is_faithful(mesh, h)) && !mesh.is_protected(h); });
+                                     { return (length > bound || !is_faithful(mesh, h)) 
+                                              && mesh.has_changed(h, since) && !mesh.is_protected(h); });
     for(const auto& candidate : queue)
     {
       if(mesh.is_stopped() || mesh.is_full())

@@ -1,0 +1,114 @@
+// Asks for a largest deviation, and measures what is delivered twice: by the package, and by CGAL's
+// bounded_error_Hausdorff_distance() between the result and a fine sampling of the model. One line per case, the
+// columns separated by tabs.
+//
+//   deviation_contract [part of the name [part of the diagonal]...]
+
+#include "../../test/Hermite_diffuse_remeshing/sampled_model.h"
+#include "../../test/Hermite_diffuse_remeshing/sized_surfaces.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Real_timer.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <vector>
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel   K;
+typedef CGAL::Surface_mesh<K::Point_3>                        Mesh;
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+std::string wanted;
+std::vector<double> parts = {0.01, 0.001, 0.0002};
+
+void run(const std::string& name, const Mesh& input)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(input);
+  const double diagonal = std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
+                                    + CGAL::square(box.zmax() - box.zmin()));
+  for(const double part : parts)
+  {
+    const double bound = part * diagonal;
+    const auto parameters = CGAL::parameters::approximation_error(0.02).maximum_deviation(bound);
+    Mesh mesh = input;
+    const auto report = PMP::hermite_diffuse_remesh(mesh, parameters);
+
+    // a tenth of the bound is near enough to agree or not
+    const double tolerance = 0.1 * bound;
+    const Mesh model = sampled_model(input, parameters, tolerance);
+    CGAL::Real_timer timer;
+    timer.start();
+    const double to_model = PMP::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(mesh, model, tolerance);
+    const double from_model = PMP::bounded_error_Hausdorff_distance<CGAL::Sequential_tag>(model, mesh, tolerance);
+    timer.stop();
+    double seconds = 0.;
+    for(const auto& stage : report.stages)
+      if(stage.first == "deviation")
+        seconds = stage.second;
+    std::cout << name << "\t" << 100. * part << "\t" << report.number_of_input_faces << "\t" << report.number_of_faces
+              << "\t" << report.number_of_deviation_rounds << "\t" << report.seconds << "\t" << seconds
+              << "\t" << report.smallest_quality << "\t" << report.mean_quality
+              << "\t" << report.largest_deviation / bound << "\t" << to_model / bound << "\t" << from_model / bound
+              << "\t" << (report.is_maximum_deviation_met ? "met" : "not met")
+              << "\t" << report.faces_above_maximum_deviation.size()
+              << "\t" << CGAL::Hermite_diffuse_remeshing::name(report.stop_reason)
+              << "\t" << model.number_of_faces() << "\t" << timer.time() << std::endl;
+  }
+}
+
+template <typename MakeMesh>
+void run_if_wanted(const std::string& name, const MakeMesh& make_mesh)
+{
+  if(name.find(wanted) != std::string::npos)
+    run(name, make_mesh());
+}
+
+Mesh make_mesh(const analytic::Triangles& triangles)
+{
+  std::vector<K::Point_3> points;
+  for(const analytic::Point& p : triangles.points)
+    points.push_back(K::Point_3(p[0], p[1], p[2]));
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(points, triangles.faces, mesh);
+  return mesh;
+}
+
+int main(int argc, char* argv[])
+{
+  if(argc > 1)
+    wanted = argv[1];
+  if(argc > 2)
+    parts.clear();
+  for(int i = 2; i < argc; ++i)
+    parts.push_back(std::atof(argv[i]));
+
+  std::cout << "mesh\t% of diagonal\tinput faces\tfaces\trounds\tseconds\tof them deviation\tQmin\tQmean"
+               "\treported/bound\tto model/bound\tfrom model/bound\tmet\tfaces above\tstop\tsamples\tseconds of CGAL"
+            << std::endl;
+  constexpr int number_of_faces = 5000;
+  analytic::Ellipsoid_123 sphere;
+  sphere.b = sphere.c = sphere.a;
+  run_if_wanted("sphere", [&] { return make_mesh(sphere.mesh(number_of_faces, 3)); });
+  run_if_wanted("torus", [&] { return make_mesh(analytic::Torus().mesh(number_of_faces, 3)); });
+  run_if_wanted("ellipsoid", [&] { return make_mesh(analytic::Ellipsoid_123().mesh(number_of_faces, 3)); });
+  run_if_wanted("cylinder", [&] { return make_mesh(analytic::Frustum().mesh(number_of_faces, 3)); });
+  for(const char* name : {"fandisk", "elephant", "joint", "anchor_dense", "couplingdown", "camel", "ChineseDragon-10kv",
+                          "anchor", "blobby"})
+    run_if_wanted(name, [&]
+    {
+      Mesh mesh;
+      if(!PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + std::string(name) + ".off"), mesh))
+        std::cerr << "Cannot read " << name << std::endl;
+      return mesh;
+    });
+  return EXIT_SUCCESS;
+}

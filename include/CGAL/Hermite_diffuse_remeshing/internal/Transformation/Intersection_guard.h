@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_INTERSECTION_GUARD_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_INTERSECTION_GUARD_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/do_triangles_meet.h>
+
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/property_map.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+typedef boost::container::small_vector<Numbered_triangle, 16> Numbered_triangles;
+
+// Knows where the faces of the mesh are, and whether triangles that are to replace some of them would meet
+// others.
+template <typename TriangleMesh>
+class Intersection_guard
+{
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  typedef Face_grid<face_descriptor> Grid;
+  struct Place
+  {
+    typename Grid::Cell_key key;
+    bool is_known = false;
+  };
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Place> >::type Place_map;
+
+  Grid m_grid;
+  Place_map m_places;
+
+public:
+  explicit Intersection_guard(const TriangleMesh& tmesh)
+    : m_places(get(CGAL::dynamic_face_property_t<Place>(), tmesh))
+  {
+    for(const face_descriptor f : faces(tmesh))
+      put(m_places, f, Place());
+  }
+
+  // the face is new, or has moved
+  void note(const face_descriptor f, const std::array<Vector, 3>& points)
+  {
+    const typename Grid::Cell_key key = Grid::key(Bounding_box(points));
+    const Place& before = get(m_places, f);
+    if(before.is_known && before.key == key)
+      return;
+    forget(f);
+    m_grid.insert(f, key);
+    Place place;
+    place.key = key;
+    place.is_known = true;
+    put(m_places, f, place);
+  }
+
+  // the face will be removed
+  void forget(const face_descriptor f)
+  {
+    const Place place = get(m_places, f);
+    if(!place.is_known)
+      return;
+    m_grid.erase(f, place.key);
+    put(m_places, f, Place());
+  }
+
+  // Whether `made` may take the place of `replaced`: none of them meets another, and none meets a face that
+  // stays more often than the replaced ones do now, so that the number of meeting pairs never grows.
+  // `triangle(f)` gives a face with its numbers.
+  template <typename Triangle>
+  bool allows(const Numbered_triangles& made, const Numbered_triangles& replaced, const Triangle& triangle) const
+  {
+    if(made.empty())
+      return true;
+    for(std::size_t i = 0; i < made.size(); ++i)
+      for(std::size_t j = 0; j < i; ++j)
+        if(do_triangles_meet(made[i], made[j]))
+          return false;
+    Bounding_box box(made[0].points);
+    for(const Numbered_triangle& t : made)
+      box.add(Bounding_box(t.points));
+    return m_grid.visit_near(box, [&](const face_descriptor f)
+    {
+      const Numbered_triangle other = triangle(f);
+      if(!Bounding_box(other.points).meets(box) || is_among(other, replaced))
+        return true;
+      const auto meets_other = [&](const Numbered_triangle& t) { return do_triangles_meet(t, other); };
+      const auto number = std::count_if(made.begin(), made.end(), meets_other);
+      return number == 0 || number <= std::count_if(replaced.begin(), replaced.end(), meets_other);
+    });
+  }
+
+private:
+  static bool is_among(const Numbered_triangle& t, const Numbered_triangles& others)
+  {
+    return std::any_of(others.begin(), others.end(), [&](const Numbered_triangle& other)
+                       { return other.vertices == t.vertices; });
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_INTERSECTION_GUARD_H

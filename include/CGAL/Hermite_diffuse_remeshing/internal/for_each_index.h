@@ -1,0 +1,71 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_FOR_EACH_INDEX_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_FOR_EACH_INDEX_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
+
+#include <CGAL/tags.h>
+#include <CGAL/use.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#endif
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Does a concurrency tag of CGAL ask for threads? A tag that asks for what is not there does not compile.
+template <typename ConcurrencyTag>
+constexpr bool is_parallel()
+{
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag needs TBB: link to the target CGAL::TBB_support");
+#endif
+  return std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+}
+
+// Calls worker(i) for i from 0 to n-1, in any order. Every thread has a worker of its own, made by
+// `make_worker()`, which may keep buffers. The result is the same for any number of threads if
+// worker(i) writes what belongs to i only, and nobody reads it. Threads tell of their progress at the end.
+template <typename MakeWorker>
+void for_each_index(const int n, const bool is_parallel, const MakeWorker& make_worker,
+                    const Progress& progress = Progress())
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if(is_parallel)
+  {
+    tbb::enumerable_thread_specific<std::decay_t<decltype(make_worker())> > workers(make_worker);
+    tbb::parallel_for(tbb::blocked_range<int>(0, n), [&](const tbb::blocked_range<int>& range)
+    {
+      auto& worker = workers.local();
+      for(int i = range.begin(); i < range.end(); ++i)
+        worker(i);
+    });
+    progress(1.);
+    return;
+  }
+#endif
+  CGAL_USE(is_parallel);
+  auto worker = make_worker();
+  for(int i = 0; i < n; ++i, progress(double(i) / n))
+    worker(i);
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_FOR_EACH_INDEX_H

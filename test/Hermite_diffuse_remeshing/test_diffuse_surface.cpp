@@ -1,0 +1,266 @@
+// The public surface as an object: what it asks of its traits, how much memory it takes, threads, and meshes
+// that are stored in any order.
+
+#include "irregular_meshes.h"
+
+#include <CGAL/Hermite_diffuse_surface.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_curvatures.h>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include <algorithm>
+#include <cassert>
+#include <iostream>
+#include <map>
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace np = CGAL::parameters;
+typedef CGAL::Simple_cartesian<double> Kernel;
+
+// ---- the least that a model of HermiteDiffuseRemeshingTraits provides
+
+namespace archetype {
+
+struct Point
+{
+  explicit Point(const double x, const double y, const double z) : c{{x, y, z}} {}
+  std::array<double, 3> c;
+};
+struct Vector
+{
+  Vector() : Vector(0., 0., 0.) {}
+  explicit Vector(const double x, const double y, const double z) : c{{x, y, z}} {}
+  std::array<double, 3> c;
+};
+
+template <int I>
+struct Compute
+{
+  double operator()(const Point& p) const { return p.c[I]; }
+  double operator()(const Vector& v) const { return v.c[I]; }
+};
+template <typename T>
+struct Construct
+{
+  T operator()(const double x, const double y, const double z) const { return T(x, y, z); }
+};
+
+struct Traits
+{
+  typedef double FT;
+  typedef Point Point_3;
+  typedef Vector Vector_3;
+  typedef Compute<0> Compute_x_3;
+  typedef Compute<1> Compute_y_3;
+  typedef Compute<2> Compute_z_3;
+  typedef Construct<Point> Construct_point_3;
+  typedef Construct<Vector> Construct_vector_3;
+
+  Compute_x_3 compute_x_3_object() const { return Compute_x_3(); }
+  Compute_y_3 compute_y_3_object() const { return Compute_y_3(); }
+  Compute_z_3 compute_z_3_object() const { return Compute_z_3(); }
+  Construct_point_3 construct_point_3_object() const { return Construct_point_3(); }
+  Construct_vector_3 construct_vector_3_object() const { return Construct_vector_3(); }
+};
+
+} // namespace archetype
+
+template <typename Mesh>
+Mesh make_mesh(const analytic::Triangles& triangles)
+{
+  typedef typename boost::graph_traits<Mesh>::vertex_descriptor vertex_descriptor;
+  Mesh mesh;
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  std::vector<vertex_descriptor> vertices;
+  for(const analytic::Point& p : triangles.points)
+  {
+    vertices.push_back(add_vertex(mesh));
+    put(vpm, vertices.back(), Kernel::Point_3(p[0], p[1], p[2]));
+  }
+  for(const auto& f : triangles.faces)
+    CGAL::Euler::add_face(std::array<vertex_descriptor, 3>{{vertices[f[0]], vertices[f[1]], vertices[f[2]]}}, mesh);
+  return mesh;
+}
+
+typedef CGAL::Surface_mesh<Kernel::Point_3> Surface_mesh;
+typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+
+// points that are kept outside of the mesh
+struct Archetype_point_map
+{
+  typedef Surface_mesh::Vertex_index key_type;
+  typedef archetype::Point value_type;
+  typedef value_type reference;
+  typedef boost::readable_property_map_tag category;
+
+  const Surface_mesh* mesh;
+
+  friend value_type get(const Archetype_point_map& map, const key_type v)
+  {
+    const Kernel::Point_3& p = map.mesh->point(v);
+    return value_type(p.x(), p.y(), p.z());
+  }
+};
+
+void test_archetype()
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(analytic::torus().mesh(500, 1));
+  const Archetype_point_map points{&mesh};
+  typedef CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<archetype::Traits> Principal;
+  const auto np_of_archetype = np::polynomial_degree(3).vertex_point_map(points).geom_traits(archetype::Traits());
+  const CGAL::Hermite_diffuse_surface<Surface_mesh, archetype::Traits> surface(mesh, np_of_archetype);
+  const CGAL::Hermite_diffuse_surface<Surface_mesh> expected(mesh);
+  for(const auto f : mesh.faces())
+  {
+    const std::array<double, 3> l = {{0.2, 0.3, 0.5}};
+    const archetype::Point p = surface.point({f, l});
+    const Kernel::Point_3 q = expected.point({f, l});
+    assert(p.c[0] == q.x() && p.c[1] == q.y() && p.c[2] == q.z());
+    const archetype::Vector n = surface.normal({f, l});
+    const Kernel::Vector_3 m = expected.normal({f, l});
+    assert(n.c[0] == m.x() && n.c[1] == m.y() && n.c[2] == m.z());
+    assert(surface.principal_curvatures({f, l}) == expected.principal_curvatures({f, l}));
+    const Principal k = surface.principal_curvatures_and_directions({f, l});
+    assert(k.maximum_curvature >= k.minimum_curvature);
+    assert(surface.project(p).first != Surface_mesh::null_face());
+    assert(surface.project(p, {f, l}) == expected.project(q, {f, l}));
+    assert(surface.locate(p) == expected.locate(q));
+  }
+
+  std::map<Surface_mesh::Vertex_index, double> mean;
+  std::map<Surface_mesh::Vertex_index, double> gaussian;
+  PMP::hermite_diffuse_curvatures(mesh, np::mean_curvature_map(boost::make_assoc_property_map(mean))
+                                          .gaussian_curvature_map(boost::make_assoc_property_map(gaussian))
+                                          .vertex_point_map(points).geom_traits(archetype::Traits()));
+  double one = 0.;
+  PMP::hermite_diffuse_curvatures(*mesh.vertices().begin(), mesh,
+                                  np::mean_curvature(std::ref(one)).vertex_point_map(points)
+                                    .geom_traits(archetype::Traits()));
+  assert(mean.size() == mesh.number_of_vertices() && gaussian.size() == mean.size());
+  assert(std::abs(one - mean[*mesh.vertices().begin()]) < 1e-9);
+}
+
+// ---- memory
+
+#if defined(__GLIBC__) && defined(__GLIBC_PREREQ)
+#if __GLIBC_PREREQ(2, 33)
+#define CAN_COUNT_BYTES
+double bytes_in_use()
+{
+  const struct mallinfo2 info = mallinfo2();
+  return double(info.uordblks) + double(info.hblkhd);
+}
+#endif
+#endif
+
+void test_memory()
+{
+#ifdef CAN_COUNT_BYTES
+  for(const analytic::Test_surface& s : {analytic::torus(), analytic::sin_cos()})
+  {
+    const Surface_mesh mesh = make_mesh<Surface_mesh>(s.mesh(20000, 1));
+    const double before = bytes_in_use();
+    const CGAL::Hermite_diffuse_surface<Surface_mesh> surface(mesh);
+    surface.locate(Kernel::Point_3(0., 0., 0.));        // nothing is left to be built by the first query
+    const double per_face = (bytes_in_use() - before) / mesh.number_of_faces();
+    std::cout << s.name << ": " << per_face << " bytes per face" << std::endl;
+    assert(per_face < 150.);
+  }
+#endif
+}
+
+// ---- threads
+
+#ifdef CGAL_LINKED_WITH_TBB
+void test_threads()
+{
+  const Surface_mesh mesh = make_mesh<Surface_mesh>(analytic::sin_cos(6.).mesh(4000, 1));
+  typedef CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<Kernel> Principal;
+  typedef CGAL::Hermite_diffuse_surface<Surface_mesh, Kernel, CGAL::Parallel_tag> Parallel_surface;
+  const CGAL::Hermite_diffuse_surface<Surface_mesh> expected(mesh);
+  auto expected_curvatures = get(CGAL::dynamic_vertex_property_t<Principal>(), mesh);
+  PMP::hermite_diffuse_curvatures(mesh, np::principal_curvatures_map(expected_curvatures));
+  for(const int number_of_threads : {1, 2, 4})
+  {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
+    const Parallel_surface surface(mesh);
+    const Parallel_surface paper(mesh, np::surface_model(CGAL::Hermite_diffuse_remeshing::PAPER_MODEL));
+    const CGAL::Hermite_diffuse_surface<Surface_mesh>
+      expected_paper(mesh, np::surface_model(CGAL::Hermite_diffuse_remeshing::PAPER_MODEL));
+    for(const auto f : mesh.faces())
+    {
+      const std::array<double, 3> l = {{0.2, 0.3, 0.5}};
+      assert(surface.point({f, l}) == expected.point({f, l}));
+      assert(surface.principal_curvatures({f, l}) == expected.principal_curvatures({f, l}));
+      assert(paper.point({f, l}) == expected_paper.point({f, l}));
+    }
+    auto curvatures = get(CGAL::dynamic_vertex_property_t<Principal>(), mesh);
+    PMP::hermite_diffuse_curvatures<CGAL::Parallel_tag>(mesh, np::principal_curvatures_map(curvatures));
+    for(const auto v : mesh.vertices())
+    {
+      const Principal k = get(curvatures, v), e = get(expected_curvatures, v);
+      assert(k.maximum_curvature == e.maximum_curvature && k.minimum_curvature == e.minimum_curvature);
+      assert(k.maximum_direction == e.maximum_direction);
+    }
+  }
+}
+#endif
+
+// ---- the order in which a mesh is stored
+
+// An isolated vertex in front, faces and vertices in another order, two components: the same surface but for
+// rounding.
+void test_order()
+{
+  analytic::Triangles mesh = analytic::torus().mesh(1000, 1);
+  const std::size_t n = mesh.points.size();
+  for(std::size_t i = 0; i < n; ++i)
+    mesh.points.push_back({{mesh.points[i][0] + 5., mesh.points[i][1], mesh.points[i][2]}});
+  for(std::size_t f = 0, faces = mesh.faces.size(); f < faces; ++f)
+    mesh.faces.push_back({{mesh.faces[f][0] + n, mesh.faces[f][1] + n, mesh.faces[f][2] + n}});
+
+  analytic::Triangles shuffled;
+  shuffled.points.push_back({{0., 0., 9.}});
+  for(std::size_t i = 0; i < 2 * n; ++i)
+    shuffled.points.push_back(mesh.points[2 * n - 1 - i]);
+  const std::size_t stride = 7;                                  // the number of faces is no multiple of it
+  assert(mesh.faces.size() % stride != 0);
+  for(std::size_t i = 0; i < mesh.faces.size(); ++i)
+  {
+    const auto& f = mesh.faces[i * stride % mesh.faces.size()];
+    shuffled.faces.push_back({{2 * n - f[0], 2 * n - f[1], 2 * n - f[2]}});
+  }
+
+  const Surface_mesh a = make_mesh<Surface_mesh>(mesh);
+  const Polyhedron b = make_mesh<Polyhedron>(shuffled);
+  const CGAL::Hermite_diffuse_surface<Surface_mesh> surface(a);
+  const CGAL::Hermite_diffuse_surface<Polyhedron> other(b);
+  for(const auto f : a.faces())
+  {
+    const Kernel::Point_3 p = surface.point({f, {{0.2, 0.3, 0.5}}});
+    const Kernel::Point_3 q = other.point(other.project(p));
+    assert(CGAL::squared_distance(p, q) < 1e-12);
+  }
+}
+
+int main()
+{
+  test_archetype();
+  test_memory();
+  test_order();
+#ifdef CGAL_LINKED_WITH_TBB
+  test_threads();
+#endif
+  return 0;
+}
