@@ -39,7 +39,7 @@ inline std::unique_ptr<Input_model> make_model(const Indexed_triangles& triangle
   const double sharp = sharp_angle_in_degrees < 180. ? sharp_angle_in_degrees * analytic::pi / 180. : infinite;
   const Feature_options features = {sharp, analytic::pi / 3., infinite};
   return std::unique_ptr<Input_model>(
-    new Input_model(triangles, features, options, [](int, int) { return HDR::internal::UNMARKED_EDGE; }, [](int) { return false; },
+    new Input_model(triangles, features, options, [](int, int) { return UNMARKED_EDGE; }, [](int) { return false; },
                     vertex_normals));
 }
 

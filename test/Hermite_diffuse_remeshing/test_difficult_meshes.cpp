@@ -72,8 +72,8 @@ void test_apices()
       Model_options options;
       options.degree = degree;
       const Input_model model(triangles, Feature_options{infinite, infinite, analytic::pi / 6.}, options,
-                              [](int, int) { return HDR::internal::UNMARKED_EDGE; }, [](int) { return false; });
-      assert(model.vertex_classes[tip] == HDR::APEX_VERTEX);
+                              [](int, int) { return UNMARKED_EDGE; }, [](int) { return false; });
+      assert(model.vertex_classes[tip] == CGAL::Hermite_diffuse_remeshing::APEX_VERTEX);
 
       Root_mean_square position, flat;
       analytic::Random random(1);

@@ -71,7 +71,7 @@ void order_for_locality(const FaceRankMap& rank, Input_mesh<TriangleMesh, GeomTr
     const int a = number(t[0]), b = number(t[1]), c = number(t[2]);
     ordered.triangles.triangles.push_back({{a, b, c}});
     ordered.face_descriptors.push_back(input.face_descriptors[f]);
-    ordered.is_user_side.push_back(input.is_user_side[f]);
+    ordered.side_marks.push_back(input.side_marks[f]);
     ordered.face_ranks.push_back(input.face_ranks[f]);
   }
   for(std::size_t v = 0; v < new_vertex.size(); ++v)
@@ -79,7 +79,7 @@ void order_for_locality(const FaceRankMap& rank, Input_mesh<TriangleMesh, GeomTr
   ordered.face_descriptors.shrink_to_fit();
   input.vertex_descriptors.swap(ordered.vertex_descriptors);
   input.face_descriptors.swap(ordered.face_descriptors);
-  input.is_user_side.swap(ordered.is_user_side);
+  input.side_marks.swap(ordered.side_marks);
   input.face_ranks.swap(ordered.face_ranks);
   std::swap(input.triangles, ordered.triangles);
 }
