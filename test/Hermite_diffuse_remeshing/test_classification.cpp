@@ -1,5 +1,6 @@
 #include "test_helpers.h"
 
+using namespace HDR;
 using namespace HDR::internal;
 
 struct Classification
@@ -13,7 +14,7 @@ struct Classification
   explicit Classification(const Indexed_triangles& t, const double sharp = 40., const double corner = 60.,
                           const double apex = 30.)
     : triangles(t), edges(t)
-    , edge_classes(classify_edges(t, edges, radians(sharp), [](int, int) { return false; }))
+    , edge_classes(classify_edges(t, edges, radians(sharp), [](int, int) { return HDR::internal::UNMARKED_EDGE; }))
     , cut_mesh(t, edges, edge_classes)
     , vertex_classes(classify_vertices(t, edges, edge_classes, cut_mesh, radians(corner), radians(apex),
                                        [](int) { return false; }))
@@ -44,13 +45,13 @@ void test_cube()
 {
   const Classification cube(read_indexed("cube.off"));
   assert(cube.number(SHARP_EDGE) == 12 && cube.number(INTERIOR_EDGE) == 6);
-  assert(cube.number(CORNER_VERTEX) == 8);
+  assert(cube.number(JUNCTION_VERTEX) == 8);
   // a node per side of the cube and corner of it
-  assert(cube.cut_mesh.number_of_nodes() == 24);
+  assert(cube.cut_mesh.number_of_nodes() == 24 && cube.cut_mesh.number_of_patches() == 6);
 
   const Classification smooth(read_indexed("cube.off"), 180., 180., 180.);
   assert(smooth.number(INTERIOR_EDGE) == 18 && smooth.number(SURFACE_VERTEX) == 8);
-  assert(smooth.cut_mesh.number_of_nodes() == 8);
+  assert(smooth.cut_mesh.number_of_nodes() == 8 && smooth.cut_mesh.number_of_patches() == 1);
 }
 
 // an open cone of n sides: the tip is an apex, the rim a smooth border
@@ -76,7 +77,7 @@ void test_cone_apex()
     }
   const Classification cone(indexed(points, triangles));
   assert(cone.vertex_classes[0] == APEX_VERTEX);
-  assert(cone.number(APEX_VERTEX) == 1 && cone.number(CORNER_VERTEX) == 0);
+  assert(cone.number(APEX_VERTEX) == 1 && cone.number(JUNCTION_VERTEX) == 0);
   assert(cone.number(BOUNDARY_EDGE) == n && cone.number(CURVE_VERTEX) == n);
 }
 
@@ -96,7 +97,7 @@ void test_square_border()
     }
   const Classification square(indexed(points, triangles));
   assert(square.number(BOUNDARY_EDGE) == 12);
-  assert(square.number(CORNER_VERTEX) == 4 && square.number(CURVE_VERTEX) == 8 && square.number(SURFACE_VERTEX) == 4);
+  assert(square.number(KINK_VERTEX) == 4 && square.number(CURVE_VERTEX) == 8 && square.number(SURFACE_VERTEX) == 4);
   assert(is_corner(square.vertex_classes[0]) && is_corner(square.vertex_classes[15]));
 }
 
@@ -117,7 +118,7 @@ void test_non_manifold()
                                          Vector(-1, 0, 0), Vector(0, -1, 0), Vector(0, 0, -1)},
                                         {{{0, 2, 1}}, {{0, 1, 3}}, {{0, 3, 2}}, {{1, 2, 3}},
                                          {{0, 4, 5}}, {{0, 5, 6}}, {{0, 6, 4}}, {{4, 6, 5}}}), 180., 180., 180.);
-  assert(touching.cut_mesh.number_of_nodes() == 8 && touching.vertex_classes[0] == CORNER_VERTEX);
+  assert(touching.cut_mesh.number_of_nodes() == 8 && touching.vertex_classes[0] == TOUCHING_VERTEX);
 }
 
 // short chains of slightly sharp edges with a free end are noise, long or sharper ones are not
