@@ -47,11 +47,11 @@ void test_cube()
   assert(cube.number(SHARP_EDGE) == 12 && cube.number(INTERIOR_EDGE) == 6);
   assert(cube.number(JUNCTION_VERTEX) == 8);
   // a node per side of the cube and corner of it
-  assert(cube.cut_mesh.number_of_nodes() == 24);
+  assert(cube.cut_mesh.number_of_nodes() == 24 && cube.cut_mesh.number_of_patches() == 6);
 
   const Classification smooth(read_indexed("cube.off"), 180., 180., 180.);
   assert(smooth.number(INTERIOR_EDGE) == 18 && smooth.number(SURFACE_VERTEX) == 8);
-  assert(smooth.cut_mesh.number_of_nodes() == 8);
+  assert(smooth.cut_mesh.number_of_nodes() == 8 && smooth.cut_mesh.number_of_patches() == 1);
 }
 
 // an open cone of n sides: the tip is an apex, the rim a smooth border

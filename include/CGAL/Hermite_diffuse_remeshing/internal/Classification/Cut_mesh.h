@@ -36,12 +36,14 @@ struct Index_range
 // that are joined by interior edges: a vertex on a crease has a node for each side, a vertex
 // where two sheets touch has one for each sheet. This alone selects the elements of the paper's
 // patches by adjacency (section 2.4), gives the normals per side of a crease (2.5), and is safe
-// for non-manifold input.
+// for non-manifold input. A patch is a connected component of faces joined by interior edges.
 class Cut_mesh
 {
   std::vector<std::array<int, 3> > m_nodes_of_face;
   std::vector<std::array<int, 3> > m_neighbors;       // across side k, or -1 at a feature
   std::vector<int> m_vertex_of_node;
+  std::vector<int> m_patch_of_face;
+  int m_number_of_patches = 0;
   std::vector<int> m_corners, m_first_corner;         // 3 * face + corner, grouped by node
   std::vector<int> m_ring, m_first_ring;
 
@@ -53,9 +55,12 @@ public:
     join_corners(surface, edges, edge_classes);
     group_corners_by_node();
     collect_rings();
+    collect_patches();
   }
 
   int number_of_nodes() const { return static_cast<int>(m_vertex_of_node.size()); }
+  int number_of_patches() const { return m_number_of_patches; }
+  int patch(const int face) const { return m_patch_of_face[face]; }
   int node(const int face, const int corner) const { return m_nodes_of_face[face][corner]; }
   const std::array<int, 3>& nodes(const int face) const { return m_nodes_of_face[face]; }
   int vertex(const int node) const { return m_vertex_of_node[node]; }
@@ -149,6 +154,31 @@ private:
       m_first_ring.push_back(static_cast<int>(m_ring.size()));
     }
     m_ring.shrink_to_fit();
+  }
+
+  void collect_patches()
+  {
+    m_patch_of_face.assign(m_nodes_of_face.size(), -1);
+    std::vector<int> stack;
+    for(std::size_t seed = 0; seed < m_patch_of_face.size(); ++seed)
+    {
+      if(m_patch_of_face[seed] != -1)
+        continue;
+      const int patch = m_number_of_patches++;
+      m_patch_of_face[seed] = patch;
+      stack.push_back(static_cast<int>(seed));
+      while(!stack.empty())
+      {
+        const int f = stack.back();
+        stack.pop_back();
+        for(const int g : m_neighbors[f])
+          if(g != -1 && m_patch_of_face[g] == -1)
+          {
+            m_patch_of_face[g] = patch;
+            stack.push_back(g);
+          }
+      }
+    }
   }
 };
 

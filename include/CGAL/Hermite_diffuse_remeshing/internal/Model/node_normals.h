@@ -284,8 +284,8 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
   for_each_index(n, is_parallel, make_worker, progress);
 
   // Combined equations remove the influence of terms of order four and amplify noise. A single ratio is
-  // uncertain: the mean over the ring tells noise, 1.3, from the coarsest meshes without, 4.
-  constexpr double none = 3., all = 4.;
+  // uncertain: the mean over the ring tells noise, 1.3, from meshes without, 4 on the coarsest.
+  constexpr double none = 3.3, all = 4.3;
   for(int i = 0; i < n; ++i)
   {
     double sum = signal_over_noise[i];
