@@ -12,19 +12,16 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Curve_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Frozen_lengths.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Feature_gaps.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
-
-#include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -49,10 +46,6 @@ class Size_map
     double cap = std::numeric_limits<double>::infinity();
   };
 
-  typedef std::pair<int, int> Sample_pair;
-  template <typename Value>
-  using Pair_map = std::unordered_map<Sample_pair, Value, boost::hash<Sample_pair> >;
-
   Size_sources m_sources;
   Progress m_progress;
   Bisection_tree m_cells;
@@ -60,13 +53,7 @@ class Size_map
   std::vector<double> m_sizes;            // after gradation
   std::vector<double> m_area_ratios;      // of the surface over the faces
   Pair_map<int> m_middles;
-  struct Curve_piece
-  {
-    double curvature_size;
-    int edge;                             // of the reference
-  };
-  Feature_gaps m_gaps;
-  Pair_map<Curve_piece> m_curve_pieces;   // of the feature edges
+  Curve_sizes m_curve_sizes;
   Frozen_lengths m_frozen;
   double m_scale = 1.;                    // of the own sizes, to meet a budget
   bool m_is_sample_lowered = false;       // since the sizes were last graded
@@ -92,13 +79,13 @@ public:
            const Size_options& options, const std::vector<char>& is_edge_frozen = std::vector<char>(),
            const Progress& progress = Progress())
     : m_sources(surface, options), m_progress(progress), m_cells(surface.triangles())
-    , m_gaps(surface.triangles(), surface.cut_mesh(), edges, curves)
+    , m_curve_sizes(surface, edges, curves, m_sources)
   {
     const int nf = surface.triangles().number_of_faces();
     for(int f = 0; f < nf; ++f, progress(double(f) / nf))
       m_area_ratios.push_back(m_sources.area_ratio(f));
     sample_vertices(surface, curves);
-    sample_curves(edges, curves);
+    sample_strips(edges, curves);
     for(std::size_t e = 0; e < is_edge_frozen.size(); ++e)
       if(is_edge_frozen[e])
       {
@@ -220,18 +207,15 @@ private:
         lower(curve.vertices[i], m_sources.of_curvature(curve.spline.curvature_at_point(static_cast<int>(i))));
   }
 
-  void sample_curves(const Edge_table& edges, const Feature_curves& curves)
+  void sample_strips(const Edge_table& edges, const Feature_curves& curves)
   {
+    std::vector<std::pair<int, double> > sizes;
     for(const Feature_curve& curve : curves.curves)
-      for(std::size_t i = 0; i < curve.edges.size(); ++i)
-      {
-        const double curvature = (curve.spline.curvature_at_point(static_cast<int>(i))
-                                + curve.spline.curvature_at_point(static_cast<int>(i) + 1)) / 2.;
-        const std::array<int, 2>& ends = edges.vertices(curve.edges[i]);
-        m_curve_pieces[ordered(ends[0], ends[1])] = {m_sources.of_curvature(curvature), curve.edges[i]};
-        for(const int v : ends)
-          lower_to_gap(v, curve.edges[i]);
-      }
+      for(const int e : curve.edges)
+        for(const int v : edges.vertices(e))
+          sizes.push_back(std::make_pair(v, m_curve_sizes.size_in_strip(m_samples[v].position, e, m_samples[v].own_size)));
+    for(const std::pair<int, double>& size : sizes)
+      lower(size.first, size.second);
   }
 
   void lower(const int sample, const double size)
@@ -243,28 +227,10 @@ private:
     m_is_sample_lowered = true;
   }
 
-  // in a strip between two curves
-  void lower_to_gap(const int sample, const int edge)
-  {
-    // two sides of a triangle go across the strip and are 1.8 times as long as it is wide, the third is
-    // three times as long: Q = 0.52
-    constexpr double lengths_per_gap = 3.0037;
-    // a crack must not cost more than this factor of the size
-    constexpr double largest_factor = 8.;
-    const double size = m_samples[sample].own_size;
-    const double gap = m_gaps.gap(m_samples[sample].position, edge, size / lengths_per_gap);
-    lower(sample, (std::max)(lengths_per_gap * gap, size / largest_factor));
-  }
-
   void lower_user_size(const int sample, const double size)
   {
     m_samples[sample].user_size = (std::min)(m_samples[sample].user_size, size);
     lower(sample, size);
-  }
-
-  static Sample_pair ordered(const int a, const int b)
-  {
-    return a < b ? Sample_pair(a, b) : Sample_pair(b, a);
   }
 
   double side_length(const Cell& cell, const int k) const
@@ -306,8 +272,7 @@ private:
     const auto found = m_middles.find(key);
     const bool is_new = found == m_middles.end();
     const int sample = is_new ? static_cast<int>(m_samples.size()) : found->second;
-    const auto on_curve = m_curve_pieces.find(key);
-    const bool is_on_curve = on_curve != m_curve_pieces.end();
+    const bool is_on_curve = m_curve_sizes.is_on_curve(a, b);
     if(is_new)
     {
       // the interpolated size of the user stands where the field is not asked any more
@@ -318,12 +283,7 @@ private:
       m_middles[key] = sample;
       m_frozen.add_middle(a, b, sample);
       if(is_on_curve)
-      {
-        const Curve_piece piece = on_curve->second;
-        lower(sample, piece.curvature_size);
-        lower_to_gap(sample, piece.edge);
-        m_curve_pieces[ordered(a, sample)] = m_curve_pieces[ordered(sample, b)] = piece;
-      }
+        lower(sample, m_curve_sizes.bisect(a, b, sample, m_samples[sample].position, user_size));
     }
     const bool is_user_asked = m_sources.has_user_size() && (is_new || m_sources.options().is_user_size_local);
     if(is_new || is_on_curve || is_user_asked)

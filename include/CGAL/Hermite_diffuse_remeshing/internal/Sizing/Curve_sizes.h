@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_CURVE_SIZES_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_CURVE_SIZES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Feature_gaps.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
+
+#include <boost/container_hash/hash.hpp>
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+typedef std::pair<int, int> Sample_pair;
+template <typename Value>
+using Pair_map = std::unordered_map<Sample_pair, Value, boost::hash<Sample_pair> >;
+
+inline Sample_pair ordered(const int a, const int b)
+{
+  return a < b ? Sample_pair(a, b) : Sample_pair(b, a);
+}
+
+// The sizes that feature curves ask for: by their own curvature, and by the width of the strips that they
+// bound. The edges of the curves are bisected with the size map's cells.
+class Curve_sizes
+{
+  struct Piece
+  {
+    double curvature_size;
+    int edge;                             // of the reference
+  };
+
+  Feature_gaps m_gaps;
+  Pair_map<Piece> m_pieces;               // of the feature edges, between two samples
+
+public:
+  Curve_sizes(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
+              const Size_sources& sources)
+    : m_gaps(surface.triangles(), surface.cut_mesh(), edges, curves)
+  {
+    for(const Feature_curve& curve : curves.curves)
+      for(std::size_t i = 0; i < curve.edges.size(); ++i)
+      {
+        const double curvature = (curve.spline.curvature_at_point(static_cast<int>(i))
+                                + curve.spline.curvature_at_point(static_cast<int>(i) + 1)) / 2.;
+        const std::array<int, 2>& ends = edges.vertices(curve.edges[i]);
+        m_pieces[ordered(ends[0], ends[1])] = {sources.of_curvature(curvature), curve.edges[i]};
+      }
+  }
+
+  // the size at a point of an edge of the reference, where it would be `size` if the edge bounded no strip
+  double size_in_strip(const Vector& p, const int edge, const double size) const
+  {
+    // two sides of a triangle go across the strip and are 1.8 times as long as it is wide, the third is
+    // three times as long: Q = 0.52
+    constexpr double lengths_per_gap = 3.0037;
+    // a crack must not cost more than this factor of the size
+    constexpr double largest_factor = 8.;
+    const double gap = m_gaps.gap(p, edge, size / lengths_per_gap);
+    return (std::max)(lengths_per_gap * gap, size / largest_factor);
+  }
+
+  bool is_on_curve(const int a, const int b) const { return m_pieces.count(ordered(a, b)) != 0; }
+
+  // Bisects the piece between two samples at a third one, at p. Returns what is asked for there, `size` by
+  // the other sources.
+  double bisect(const int a, const int b, const int middle, const Vector& p, const double size)
+  {
+    const Piece piece = m_pieces.at(ordered(a, b));
+    m_pieces[ordered(a, middle)] = m_pieces[ordered(middle, b)] = piece;
+    const double by_curvature = (std::min)(size, piece.curvature_size);
+    return (std::min)(by_curvature, size_in_strip(p, piece.edge, by_curvature));
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_CURVE_SIZES_H
