@@ -46,16 +46,16 @@ struct Bounding_box
   }
 };
 
-// Finds the faces near a box while the mesh changes: a grid for every order of magnitude of the faces. A
-// face lies in the one cell that holds its middle, of a grid with cells at least as large as the face, so
-// that a query looks half a cell farther than its box.
+// Finds the faces near a box while the mesh changes: an octree with loose cells. A face lies in the one cell
+// that holds its middle, of the level whose cells are just as large as the face or larger, so that the faces of
+// a cell reach at most half a cell beyond it. Every cell with faces has all its ancestors.
 template <typename Face>
 class Face_grid
 {
 public:
   struct Cell_key
   {
-    int level;
+    int level;                            // cells have the size 2^level
     std::array<std::int64_t, 3> place;
 
     bool operator==(const Cell_key& other) const { return level == other.level && place == other.place; }
@@ -73,99 +73,146 @@ private:
     }
   };
 
-  std::unordered_map<Cell_key, std::vector<Face>, Hash> m_cells;
-  std::map<int, std::size_t> m_number_of_faces;   // of the levels in use
+  struct Cell
+  {
+    std::vector<Face> faces;
+    int number_of_children = 0;
+  };
 
-  // Cells of neighbouring levels differ by this factor: sizes that vary little lie on one or two levels,
-  // and a query looks at few cells.
-  static constexpr int log2_of_factor = 2;
+  int m_top_level;
+  std::unordered_map<Cell_key, Cell, Hash> m_cells;
+  std::map<int, std::size_t> m_number_of_faces;   // of the levels that have some
 
 public:
-  static Cell_key key(const Bounding_box& box)
+  // `extent`: of the largest face that will be
+  explicit Face_grid(const double extent) : m_top_level(level_of(extent)) {}
+
+  Cell_key key(const Bounding_box& box) const
   {
-    const double extent = (box.high - box.low).maxCoeff();
-    int exponent = 0;
-    std::frexp(extent, &exponent);                 // extent < 2^exponent
-    const int level = exponent >= 0 ? (exponent + log2_of_factor - 1) / log2_of_factor
-                                    : -(-exponent / log2_of_factor);
-    const double cell = cell_size(level);
     Cell_key result;
-    result.level = level;
+    result.level = (std::min)(m_top_level, level_of((box.high - box.low).maxCoeff()));
     for(int i = 0; i < 3; ++i)
-      result.place[i] = place((box.low[i] + box.high[i]) / 2., cell);
+      result.place[i] = place((box.low[i] + box.high[i]) / 2., cell_size(result.level));
     return result;
   }
 
   void insert(const Face f, const Cell_key& key)
   {
-    m_cells[key].push_back(f);
     ++m_number_of_faces[key.level];
+    make_cell(key).faces.push_back(f);
   }
 
   void erase(const Face f, const Cell_key& key)
   {
-    const auto cell = m_cells.find(key);
-    std::vector<Face>& faces = cell->second;
+    std::vector<Face>& faces = m_cells.find(key)->second.faces;
     *std::find(faces.begin(), faces.end(), f) = faces.back();
     faces.pop_back();
-    if(faces.empty())
-      m_cells.erase(cell);
     const auto level = m_number_of_faces.find(key.level);
     if(--level->second == 0)
       m_number_of_faces.erase(level);
+    remove_if_empty(key);
   }
 
   // calls `visit(face)` for all faces that may meet the box until it returns false
   template <typename Visit>
   bool visit_near(const Bounding_box& box, const Visit& visit) const
   {
-    for(const auto& level : m_number_of_faces)
+    // cells as large as the box or larger are few and looked up one by one, smaller ones from their parents
+    const int own_level = key(box).level;
+    for(int level = own_level; level <= m_top_level; ++level)
     {
-      const double cell = cell_size(level.first);
+      if(level > own_level && m_number_of_faces.count(level) == 0)
+        continue;
+      const double size = cell_size(level);
       std::array<std::int64_t, 3> first, last;
-      double number = 1.;
       for(int i = 0; i < 3; ++i)
       {
-        first[i] = place(box.low[i] - cell / 2., cell);
-        last[i] = place(box.high[i] + cell / 2., cell);
-        number *= double(last[i] - first[i] + 1);
-      }
-      // a large box among small faces: fewer cells exist than places
-      if(number > double(m_cells.size()))
-      {
-        for(const auto& entry : m_cells)
-          if(entry.first.level == level.first && !visit_all(entry.second, visit))
-            return false;
-        continue;
+        first[i] = place(box.low[i] - size / 2., size);
+        last[i] = place(box.high[i] + size / 2., size);
       }
       Cell_key key;
-      key.level = level.first;
+      key.level = level;
       for(key.place[0] = first[0]; key.place[0] <= last[0]; ++key.place[0])
         for(key.place[1] = first[1]; key.place[1] <= last[1]; ++key.place[1])
           for(key.place[2] = first[2]; key.place[2] <= last[2]; ++key.place[2])
-          {
-            const auto found = m_cells.find(key);
-            if(found != m_cells.end() && !visit_all(found->second, visit))
+            if(!visit_cell(key, box, level == own_level, visit))
               return false;
-          }
     }
     return true;
   }
 
 private:
-  static double cell_size(const int level) { return std::ldexp(1., log2_of_factor * level); }
-
-  static std::int64_t place(const double x, const double cell)
+  static int level_of(const double extent)
   {
-    return static_cast<std::int64_t>(std::floor(x / cell));
+    int exponent = 0;
+    std::frexp(extent, &exponent);        // extent < 2^exponent
+    return exponent;
+  }
+
+  static double cell_size(const int level) { return std::ldexp(1., level); }
+
+  static std::int64_t place(const double x, const double size)
+  {
+    return static_cast<std::int64_t>(std::floor(x / size));
+  }
+
+  static Cell_key parent(const Cell_key& key)
+  {
+    const auto half = [](const std::int64_t i) { return i >= 0 ? i / 2 : -((1 - i) / 2); };
+    return {key.level + 1, {{half(key.place[0]), half(key.place[1]), half(key.place[2])}}};
+  }
+
+  // with its ancestors
+  Cell& make_cell(const Cell_key& key)
+  {
+    const auto found = m_cells.find(key);
+    if(found != m_cells.end())
+      return found->second;
+    if(key.level < m_top_level)
+      ++make_cell(parent(key)).number_of_children;
+    return m_cells[key];
+  }
+
+  void remove_if_empty(Cell_key key)
+  {
+    for(;; key = parent(key))
+    {
+      const auto cell = m_cells.find(key);
+      if(!cell->second.faces.empty() || cell->second.number_of_children > 0)
+        return;
+      m_cells.erase(cell);
+      if(key.level == m_top_level)
+        return;
+      --m_cells.find(parent(key))->second.number_of_children;
+    }
   }
 
   template <typename Visit>
-  static bool visit_all(const std::vector<Face>& faces, const Visit& visit)
+  bool visit_cell(const Cell_key& key, const Bounding_box& box, const bool is_deep, const Visit& visit) const
   {
-    for(const Face f : faces)
+    const auto found = m_cells.find(key);
+    if(found == m_cells.end())
+      return true;
+    for(const Face f : found->second.faces)
       if(!visit(f))
         return false;
+    if(!is_deep || found->second.number_of_children == 0)
+      return true;
+    const double size = cell_size(key.level - 1);
+    for(int child = 0; child < 8; ++child)
+    {
+      Cell_key child_key;
+      child_key.level = key.level - 1;
+      bool is_near = true;
+      for(int i = 0; i < 3; ++i)
+      {
+        child_key.place[i] = 2 * key.place[i] + (child >> i & 1);
+        is_near = is_near && box.low[i] <= (double(child_key.place[i]) + 1.5) * size
+                          && box.high[i] >= (double(child_key.place[i]) - 0.5) * size;
+      }
+      if(is_near && !visit_cell(child_key, box, true, visit))
+        return false;
+    }
     return true;
   }
 };

@@ -43,8 +43,9 @@ class Intersection_guard
   Place_map m_places;
 
 public:
-  explicit Intersection_guard(TriangleMesh& tmesh)
-    : m_places(get(CGAL::dynamic_face_property_t<Place>(), tmesh))
+  // `extent`: of the whole mesh
+  Intersection_guard(TriangleMesh& tmesh, const double extent)
+    : m_grid(extent), m_places(get(CGAL::dynamic_face_property_t<Place>(), tmesh))
   {
     for(const face_descriptor f : faces(tmesh))
       put(m_places, f, Place());
@@ -53,7 +54,7 @@ public:
   // the face is new, or has moved
   void note(const face_descriptor f, const std::array<Vector, 3>& points)
   {
-    const typename Grid::Cell_key key = Grid::key(Bounding_box(points));
+    const typename Grid::Cell_key key = m_grid.key(Bounding_box(points));
     const Place& before = get(m_places, f);
     if(before.is_known && before.key == key)
       return;

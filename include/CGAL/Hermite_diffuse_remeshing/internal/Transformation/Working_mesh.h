@@ -91,7 +91,7 @@ public:
   {
     if(!is_guarded)
       return;
-    m_guard.reset(new Intersection_guard<TriangleMesh>(m_user.tmesh));
+    m_guard.reset(new Intersection_guard<TriangleMesh>(m_user.tmesh, model_diameter(reference.surface.triangles())));
     for(const face_descriptor f : faces(tmesh()))
       note(f);
   }
