@@ -30,7 +30,7 @@ enum Stop_reason
 {
   CONVERGED,           ///< a whole pass found nothing left to change
   ITERATION_BOUND,     ///< `number_of_iterations` passes were made
-  FACE_BUDGET,         ///< `maximum_number_of_faces` was reached, or the sizes were scaled up to keep to it
+  FACE_BUDGET,         ///< the number of faces reached its cap
   TIME_BUDGET,         ///< `maximum_running_time` was over
   DEVIATION_NOT_MET,   ///< smaller faces do not bring the deviation below `maximum_deviation`: at protected
                        ///< edges, at the smallest size, or where the model is folded

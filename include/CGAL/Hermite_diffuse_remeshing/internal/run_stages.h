@@ -87,7 +87,7 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
   fill_report(mesh, deviations, report);
   if(watched.is_stopped())
     report.stop_reason = watched.stop_reason();
-  else if(mesh.is_full() || report.size_scale > 1.)
+  else if(mesh.is_full())
     report.stop_reason = FACE_BUDGET;
   else if(!report.is_maximum_deviation_met)
     report.stop_reason = DEVIATION_NOT_MET;

@@ -79,10 +79,12 @@ public:
   }
 
   // The distance between an arc and its chord if the chord has a size that the relative error asks for; the other
-  // laws, and a size of the user, ask for no more.
+  // laws, and a size of the user, ask for no more. Nor does a law that asks for less than about sixteen edges
+  // on a circle: whole numbers of edges that are close enough would be much shorter than their sizes then.
   double largest_sagitta(const double size) const
   {
-    if(!(m_options.length_over_radius < std::numeric_limits<double>::infinity()))
+    constexpr double largest_length_over_radius = 0.4;
+    if(!(m_options.length_over_radius < largest_length_over_radius))
       return std::numeric_limits<double>::infinity();
     const double half_angle = std::asin((std::min)(1., m_options.length_over_radius / 2.));
     const double radius = (std::min)(size / m_options.length_over_radius, m_options.largest_curve_radius);

@@ -35,9 +35,9 @@ class Remesher
   std::size_t m_flipped_at = 0, m_balanced_at = 0, m_improved_at = 0, m_hinted_at = 0, m_hunted_at = 0;
 
   // Edges between 1/band and band times their size are left alone. The paper's factor 2 comes first,
-  // because the longest and shortest edges shape the rest; then sqrt(2), the tightest band in which
-  // the halves of a split edge are not short again; then slowly wider ones, so that the few edges
-  // that would be split and collapsed in turn come to rest.
+  // because the longest and shortest edges shape the rest; then a band below sqrt(2), in which the halves
+  // of a split edge may be short again: what is split and collapsed in turn for a few passes loses
+  // irregular vertices. Then slowly wider ones, where that comes to rest.
   static constexpr double widest_band = 2., tightest_band = 1.25, widening = 1.08;
   static constexpr int number_of_tight_passes = 3;
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps

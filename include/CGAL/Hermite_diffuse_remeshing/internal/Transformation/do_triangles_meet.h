@@ -35,9 +35,34 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 
 inline Kernel::Point_3 exact(const Vector& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
 
-inline Kernel::Triangle_3 exact(const std::array<Vector, 3>& p)
+// The predicates want triangles with an area. One without is the segment between the two of its corners that
+// are farthest apart, and two without are not looked at.
+inline bool is_flat(const std::array<Vector, 3>& p) { return CGAL::collinear(exact(p[0]), exact(p[1]), exact(p[2])); }
+
+inline bool do_meet(const std::array<Vector, 3>& t, const Vector& p, const Vector& q)
 {
-  return Kernel::Triangle_3(exact(p[0]), exact(p[1]), exact(p[2]));
+  return p != q && !is_flat(t)
+      && CGAL::do_intersect(Kernel::Triangle_3(exact(t[0]), exact(t[1]), exact(t[2])),
+                            Kernel::Segment_3(exact(p), exact(q)));
+}
+
+inline bool does_meet_flat(const std::array<Vector, 3>& t, const std::array<Vector, 3>& flat)
+{
+  int k = 0;
+  for(int i = 1; i < 3; ++i)
+    if((flat[next(i)] - flat[i]).squaredNorm() > (flat[next(k)] - flat[k]).squaredNorm())
+      k = i;
+  return do_meet(t, flat[k], flat[next(k)]);
+}
+
+inline bool do_meet(const std::array<Vector, 3>& s, const std::array<Vector, 3>& t)
+{
+  if(is_flat(s))
+    return does_meet_flat(t, s);
+  if(is_flat(t))
+    return does_meet_flat(s, t);
+  return CGAL::do_intersect(Kernel::Triangle_3(exact(s[0]), exact(s[1]), exact(s[2])),
+                            Kernel::Triangle_3(exact(t[0]), exact(t[1]), exact(t[2])));
 }
 
 // Whether a plane through the corner k of a triangle and at a right angle to it, along a side, has both ends
@@ -63,9 +88,7 @@ inline bool do_meet_beside_corner(const std::array<Vector, 3>& s, const int k, c
 {
   const auto hits = [](const std::array<Vector, 3>& u, const int m, const Vector& p, const Vector& q)
   {
-    if(is_beyond_sides(u, m, p, q))
-      return false;
-    return CGAL::do_intersect(exact(u), Kernel::Segment_3(exact(p), exact(q)));
+    return !is_beyond_sides(u, m, p, q) && do_meet(u, p, q);
   };
   return hits(s, k, t[next(l)], t[previous(l)]) || hits(t, l, s[next(k)], s[previous(k)]);
 }
@@ -90,7 +113,7 @@ inline bool do_triangles_meet(const Numbered_triangle& s, const Numbered_triangl
   if(number_of_common == 1)
     return meeting::do_meet_beside_corner(s.points, k, t.points, l);
   return Bounding_box(s.points).meets(Bounding_box(t.points))
-      && CGAL::do_intersect(meeting::exact(s.points), meeting::exact(t.points));
+      && meeting::do_meet(s.points, t.points);
 }
 
 } // namespace internal
