@@ -2,12 +2,13 @@
 # Installs what is missing, builds the tests and examples with assertions on, and runs them.
 # The last line is `N passed, N failed`.
 #
-#   test/run_tests.sh [--cgal DIR] [--build DIR] [--check-sources] [--sanitize KIND]
+#   test/run_tests.sh [--cgal DIR] [--build DIR] [--check-sources] [--sanitize KIND] [--programs LIST]
 #
 #   --cgal DIR       the root of an unpacked libcgal-dev package to use instead of the installed one
 #   --build DIR      the build folder (build/test, or build/test-cgal with --cgal)
 #   --sanitize KIND  with the address and undefined-behaviour sanitizers, KIND `address`, or with that of
 #                    threads, KIND `thread`; takes many times as long
+#   --programs LIST  only these programs, separated by blanks, and their tests
 #   --check-sources  also check the sources themselves: every header alone, warnings, includes
 #
 # CXX and CXXFLAGS are passed on to CMake.
@@ -20,6 +21,7 @@ cgal=
 build=
 check_sources=OFF
 sanitizer=
+programs=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --cgal|--build)
@@ -34,6 +36,11 @@ while [ $# -gt 0 ]; do
         *)       echo "--sanitize needs address or thread" >&2; exit 2 ;;
       esac
       build=${build:-$root/build/test-$2}
+      shift 2
+      ;;
+    --programs)
+      [ $# -ge 2 ] || { echo "--programs needs a list" >&2; exit 2; }
+      read -ra programs <<< "$2"
       shift 2
       ;;
     --check-sources)
@@ -84,11 +91,17 @@ grep -E '^-- (CGAL [0-9]|The CXX compiler)' "$build/configure.log" || true
 
 # What does not compile is counted below, as a failed test.
 say "building"
-cmake --build "$build" --parallel "$(number_of_jobs)" -- --keep-going || true
+targets=()
+selection=()
+if [ ${#programs[@]} -gt 0 ]; then
+  targets=(--target "${programs[@]}")
+  selection=(-R "$(IFS='|'; echo "${programs[*]}")")
+fi
+cmake --build "$build" --parallel "$(number_of_jobs)" "${targets[@]}" -- --keep-going || true
 
 say "testing"
 log=$build/ctest.log
-(cd "$build" && ctest --parallel "$(number_of_jobs)" --timeout 1200 --output-on-failure) 2>&1 \
+(cd "$build" && ctest "${selection[@]}" --parallel "$(number_of_jobs)" --timeout 1200 --output-on-failure) 2>&1 \
   | tee "$log" || true
 
 # Setting up and cleaning of the folder in which the tests run are no tests.

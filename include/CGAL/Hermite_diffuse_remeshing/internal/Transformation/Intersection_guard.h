@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/do_triangles_meet.h>
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
 #include <boost/container/small_vector.hpp>

@@ -14,7 +14,9 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/do_triangles_meet.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
 #include <algorithm>
