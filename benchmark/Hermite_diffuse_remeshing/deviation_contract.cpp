@@ -4,6 +4,7 @@
 //
 //   deviation_contract [part of the name [part of the diagonal]...]
 
+#include "../../test/Hermite_diffuse_remeshing/make_mesh.h"
 #include "../../test/Hermite_diffuse_remeshing/sampled_model.h"
 #include "../../test/Hermite_diffuse_remeshing/sized_surfaces.h"
 
@@ -12,7 +13,6 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -66,20 +66,10 @@ void run(const std::string& name, const Mesh& input)
 }
 
 template <typename MakeMesh>
-void run_if_wanted(const std::string& name, const MakeMesh& make_mesh)
+void run_if_wanted(const std::string& name, const MakeMesh& make_input)
 {
   if(name.find(wanted) != std::string::npos)
-    run(name, make_mesh());
-}
-
-Mesh make_mesh(const analytic::Triangles& triangles)
-{
-  std::vector<K::Point_3> points;
-  for(const analytic::Point& p : triangles.points)
-    points.push_back(K::Point_3(p[0], p[1], p[2]));
-  Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, triangles.faces, mesh);
-  return mesh;
+    run(name, make_input());
 }
 
 int main(int argc, char* argv[])
@@ -97,10 +87,10 @@ int main(int argc, char* argv[])
   constexpr int number_of_faces = 5000;
   analytic::Ellipsoid_123 sphere;
   sphere.b = sphere.c = sphere.a;
-  run_if_wanted("sphere", [&] { return make_mesh(sphere.mesh(number_of_faces, 3)); });
-  run_if_wanted("torus", [&] { return make_mesh(analytic::Torus().mesh(number_of_faces, 3)); });
-  run_if_wanted("ellipsoid", [&] { return make_mesh(analytic::Ellipsoid_123().mesh(number_of_faces, 3)); });
-  run_if_wanted("cylinder", [&] { return make_mesh(analytic::Frustum().mesh(number_of_faces, 3)); });
+  run_if_wanted("sphere", [&] { return make_mesh<Mesh>(sphere.mesh(number_of_faces, 3)); });
+  run_if_wanted("torus", [&] { return make_mesh<Mesh>(analytic::Torus().mesh(number_of_faces, 3)); });
+  run_if_wanted("ellipsoid", [&] { return make_mesh<Mesh>(analytic::Ellipsoid_123().mesh(number_of_faces, 3)); });
+  run_if_wanted("cylinder", [&] { return make_mesh<Mesh>(analytic::Frustum().mesh(number_of_faces, 3)); });
   for(const char* name : {"fandisk", "elephant", "joint", "anchor_dense", "couplingdown", "camel", "ChineseDragon-10kv",
                           "anchor", "blobby"})
     run_if_wanted(name, [&]

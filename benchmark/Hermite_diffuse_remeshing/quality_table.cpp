@@ -5,6 +5,7 @@
 //
 // The sizes follow the relative error, or a sagitta that is the same everywhere.
 
+#include "../../test/Hermite_diffuse_remeshing/make_mesh.h"
 #include "../../test/Hermite_diffuse_remeshing/sized_surfaces.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -15,7 +16,6 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -45,23 +45,13 @@ const Case cases[] = {{"fandisk", 6000}, {"joint", 6000}, {"elephant", 8000}, {"
                       {"couplingdown", 6000}, {"mech-holes-shark", 8000}, {"armadillo", 50000},
                       {"bunny00", 100000}, {"torus", 6000}, {"ellipsoid", 6000}};
 
-Mesh make_mesh(const analytic::Triangles& triangles)
-{
-  std::vector<Point> points;
-  for(const analytic::Point& p : triangles.points)
-    points.push_back(Point(p[0], p[1], p[2]));
-  Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, triangles.faces, mesh);
-  return mesh;
-}
-
 Mesh read(const std::string& name)
 {
   constexpr int number_of_faces = 20000, seed = 1;
   if(name == "torus")
-    return make_mesh(analytic::Sized_torus().mesh(number_of_faces, seed));
+    return make_mesh<Mesh>(analytic::Sized_torus().mesh(number_of_faces, seed));
   if(name == "ellipsoid")
-    return make_mesh(analytic::Ellipsoid_123().mesh(number_of_faces, seed));
+    return make_mesh<Mesh>(analytic::Ellipsoid_123().mesh(number_of_faces, seed));
   Mesh mesh;
   PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh);
   return mesh;

@@ -2,13 +2,13 @@
 // fields of the user. One line per case, the columns separated by tabs. An argument runs only the cases
 // whose name contains it.
 
+#include "../../test/Hermite_diffuse_remeshing/make_mesh.h"
 #include "../../test/Hermite_diffuse_remeshing/sized_surfaces.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hermite_diffuse_remeshing/Size_fields.h>
 #include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
@@ -27,16 +27,6 @@ namespace HDR = CGAL::Hermite_diffuse_remeshing;
 std::string wanted;
 
 bool is_wanted(const std::string& name) { return name.find(wanted) != std::string::npos; }
-
-Mesh make_mesh(const analytic::Triangles& triangles)
-{
-  std::vector<K::Point_3> points;
-  for(const analytic::Point& p : triangles.points)
-    points.push_back(K::Point_3(p[0], p[1], p[2]));
-  Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, triangles.faces, mesh);
-  return mesh;
-}
 
 template <typename Parameters, typename Law>
 void run(const std::string& name, const double value, const double gradation, const Mesh& input,
@@ -60,7 +50,7 @@ void run_law(const std::string& name, const Surface& surface, const std::vector<
 {
   if(!is_wanted(name))
     return;
-  const Mesh input = make_mesh(surface.mesh(number_of_faces, 3));
+  const Mesh input = make_mesh<Mesh>(surface.mesh(number_of_faces, 3));
   for(const double gradation : gradations)
     for(const double error : errors)
     {
@@ -147,9 +137,9 @@ int main(int argc, char* argv[])
   run_law("gradation ellipsoid", analytic::Ellipsoid_123(), {0.01}, {1.1, 1.3, 2.}, 20000);
   run_law("gradation cone frustum", cone, {0.01}, {1.1, 1.3, 2.}, 20000);
 
-  run_fields("square", make_mesh(analytic::irregular_grid(8, 8, false, false, 0.3, 5,
+  run_fields("square", make_mesh<Mesh>(analytic::irregular_grid(8, 8, false, false, 0.3, 5,
     [](const double u, const double v) { return analytic::Point{{u, v, 0.}}; })), K::Point_3(0.41, 0.33, 0.));
   const analytic::Torus torus;
-  run_fields("on torus", make_mesh(torus.mesh(5000, 3)), K::Point_3(0.6, 0.7, 0.3));
+  run_fields("on torus", make_mesh<Mesh>(torus.mesh(5000, 3)), K::Point_3(0.6, 0.7, 0.3));
   return EXIT_SUCCESS;
 }

@@ -5,7 +5,6 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Reference.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 
 #include <algorithm>
 #include <array>
@@ -27,12 +26,9 @@ Mesh sampled_model(const Mesh& input, const Parameters& parameters, const double
   typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
 
   const auto& named = pack(parameters);
-  std::vector<typename Graph_traits::face_descriptor> face_descriptors;
-  const Indexed_triangles triangles = read_triangles(input, get(CGAL::vertex_point, input), Kernel(), face_descriptors);
-  const std::vector<typename Graph_traits::vertex_descriptor>
-    vertex_descriptors(vertices(input).begin(), vertices(input).end());
-  const std::unique_ptr<Input_model> model =
-    read_model(input, triangles, vertex_descriptors, face_descriptors, Kernel(), named);
+  const auto input_mesh = read_input<Kernel>(input, named);
+  const Indexed_triangles& triangles = input_mesh.triangles;
+  const std::unique_ptr<Input_model> model = read_model(input_mesh, named);
   Size_options options;
   options.minimum_length = options.maximum_length = model_diameter(triangles);
   Size_map sizes(model->surface, model->edges, model->curves, options);

@@ -2,6 +2,7 @@
 #define TEST_HELPERS_H
 
 #include "analytic_surfaces.h"
+#include "make_mesh.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -33,17 +34,6 @@ Mesh read_data(const std::string& name)
   Mesh mesh;
   const bool is_read = PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name), mesh);
   assert(is_read && !CGAL::is_empty(mesh));
-  return mesh;
-}
-
-template <typename Mesh>
-Mesh make_mesh(const analytic::Triangles& triangles)
-{
-  std::vector<Point_3> points;
-  for(const analytic::Point& p : triangles.points)
-    points.push_back(Point_3(p[0], p[1], p[2]));
-  Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, triangles.faces, mesh);
   return mesh;
 }
 
