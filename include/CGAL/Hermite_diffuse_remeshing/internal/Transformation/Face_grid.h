@@ -28,8 +28,10 @@ namespace internal {
 
 struct Bounding_box
 {
-  Vector low, high;
+  Vector low = Vector::Zero(), high = Vector::Zero();
 
+  Bounding_box() {}
+  Bounding_box(const Vector& lowest, const Vector& highest) : low(lowest), high(highest) {}
   explicit Bounding_box(const std::array<Vector, 3>& p)
     : low(p[0].cwiseMin(p[1]).cwiseMin(p[2])), high(p[0].cwiseMax(p[1]).cwiseMax(p[2]))
   {}
@@ -44,19 +46,26 @@ struct Bounding_box
   {
     return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
   }
+
+  // zero inside
+  double distance(const Vector& p) const
+  {
+    return (low - p).cwiseMax(p - high).cwiseMax(0.).norm();
+  }
 };
 
 // Finds the faces near a box while the mesh changes: an octree with loose cells. A face lies in the one cell
 // that holds its middle, of the level whose cells are just as large as the face or larger, so that the faces of
-// a cell reach at most half a cell beyond it. Every cell with faces has all its ancestors.
+// a cell reach at most half a cell beyond it. Every cell with faces has all its ancestors. Cells know their
+// children and parents, and are looked up by their place only where a search begins.
 template <typename Face>
 class Face_grid
 {
 public:
   struct Cell_key
   {
-    int level;                            // cells have the size 2^level
-    std::array<std::int64_t, 3> place;
+    int level = 0;                        // cells have the size 2^level
+    std::array<std::int64_t, 3> place = {{0, 0, 0}};
 
     bool operator==(const Cell_key& other) const { return level == other.level && place == other.place; }
   };
@@ -73,12 +82,17 @@ private:
     }
   };
 
+public:
   struct Cell
   {
-    std::vector<Face> faces;
+    Cell_key key;
+    Cell* parent = nullptr;
+    std::array<Cell*, 8> children{};
     int number_of_children = 0;
+    std::vector<Face> faces;
   };
 
+private:
   int m_top_level;
   std::unordered_map<Cell_key, Cell, Hash> m_cells;
   std::map<int, std::size_t> m_number_of_faces;   // of the levels that have some
@@ -96,21 +110,23 @@ public:
     return result;
   }
 
-  void insert(const Face f, const Cell_key& key)
+  // returns the cell, which stays where it is
+  Cell* insert(const Face f, const Cell_key& key)
   {
     ++m_number_of_faces[key.level];
-    make_cell(key).faces.push_back(f);
+    Cell* const cell = make_cell(key);
+    cell->faces.push_back(f);
+    return cell;
   }
 
-  void erase(const Face f, const Cell_key& key)
+  void erase(const Face f, Cell* const cell)
   {
-    std::vector<Face>& faces = m_cells.find(key)->second.faces;
-    *std::find(faces.begin(), faces.end(), f) = faces.back();
-    faces.pop_back();
-    const auto level = m_number_of_faces.find(key.level);
+    *std::find(cell->faces.begin(), cell->faces.end(), f) = cell->faces.back();
+    cell->faces.pop_back();
+    const auto level = m_number_of_faces.find(cell->key.level);
     if(--level->second == 0)
       m_number_of_faces.erase(level);
-    remove_if_empty(key);
+    remove_if_empty(cell);
   }
 
   // calls `visit(face)` for all faces that may meet the box until it returns false
@@ -135,8 +151,11 @@ public:
       for(key.place[0] = first[0]; key.place[0] <= last[0]; ++key.place[0])
         for(key.place[1] = first[1]; key.place[1] <= last[1]; ++key.place[1])
           for(key.place[2] = first[2]; key.place[2] <= last[2]; ++key.place[2])
-            if(!visit_cell(key, box, level == own_level, visit))
+          {
+            const auto found = m_cells.find(key);
+            if(found != m_cells.end() && !visit_cell(found->second, box, level == own_level, visit))
               return false;
+          }
     }
     return true;
   }
@@ -159,58 +178,71 @@ private:
   static Cell_key parent(const Cell_key& key)
   {
     const auto half = [](const std::int64_t i) { return i >= 0 ? i / 2 : -((1 - i) / 2); };
-    return {key.level + 1, {{half(key.place[0]), half(key.place[1]), half(key.place[2])}}};
+    Cell_key result;
+    result.level = key.level + 1;
+    for(int i = 0; i < 3; ++i)
+      result.place[i] = half(key.place[i]);
+    return result;
+  }
+
+  static int place_in_parent(const Cell_key& key)
+  {
+    int result = 0;
+    for(int i = 0; i < 3; ++i)
+      result |= static_cast<int>(key.place[i] & 1) << i;
+    return result;
   }
 
   // with its ancestors
-  Cell& make_cell(const Cell_key& key)
+  Cell* make_cell(const Cell_key& key)
   {
-    const auto found = m_cells.find(key);
-    if(found != m_cells.end())
-      return found->second;
+    const auto inserted = m_cells.emplace(key, Cell());
+    Cell* const cell = &inserted.first->second;
+    if(!inserted.second)
+      return cell;
+    cell->key = key;
     if(key.level < m_top_level)
-      ++make_cell(parent(key)).number_of_children;
-    return m_cells[key];
+    {
+      cell->parent = make_cell(parent(key));
+      cell->parent->children[place_in_parent(key)] = cell;
+      ++cell->parent->number_of_children;
+    }
+    return cell;
   }
 
-  void remove_if_empty(Cell_key key)
+  void remove_if_empty(Cell* cell)
   {
-    for(;; key = parent(key))
+    while(cell != nullptr && cell->faces.empty() && cell->number_of_children == 0)
     {
-      const auto cell = m_cells.find(key);
-      if(!cell->second.faces.empty() || cell->second.number_of_children > 0)
-        return;
-      m_cells.erase(cell);
-      if(key.level == m_top_level)
-        return;
-      --m_cells.find(parent(key))->second.number_of_children;
+      Cell* const parent = cell->parent;
+      if(parent != nullptr)
+      {
+        parent->children[place_in_parent(cell->key)] = nullptr;
+        --parent->number_of_children;
+      }
+      m_cells.erase(Cell_key(cell->key));
+      cell = parent;
     }
   }
 
   template <typename Visit>
-  bool visit_cell(const Cell_key& key, const Bounding_box& box, const bool is_deep, const Visit& visit) const
+  bool visit_cell(const Cell& cell, const Bounding_box& box, const bool is_deep, const Visit& visit) const
   {
-    const auto found = m_cells.find(key);
-    if(found == m_cells.end())
-      return true;
-    for(const Face f : found->second.faces)
+    for(const Face f : cell.faces)
       if(!visit(f))
         return false;
-    if(!is_deep || found->second.number_of_children == 0)
+    if(!is_deep || cell.number_of_children == 0)
       return true;
-    const double size = cell_size(key.level - 1);
-    for(int child = 0; child < 8; ++child)
+    const double size = cell_size(cell.key.level - 1);
+    for(const Cell* const child : cell.children)
     {
-      Cell_key child_key;
-      child_key.level = key.level - 1;
+      if(child == nullptr)
+        continue;
       bool is_near = true;
       for(int i = 0; i < 3; ++i)
-      {
-        child_key.place[i] = 2 * key.place[i] + (child >> i & 1);
-        is_near = is_near && box.low[i] <= (double(child_key.place[i]) + 1.5) * size
-                          && box.high[i] >= (double(child_key.place[i]) - 0.5) * size;
-      }
-      if(is_near && !visit_cell(child_key, box, true, visit))
+        is_near = is_near && box.low[i] <= (double(child->key.place[i]) + 1.5) * size
+                          && box.high[i] >= (double(child->key.place[i]) - 0.5) * size;
+      if(is_near && !visit_cell(*child, box, true, visit))
         return false;
     }
     return true;

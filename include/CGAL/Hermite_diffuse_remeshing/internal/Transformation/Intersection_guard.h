@@ -35,8 +35,8 @@ class Intersection_guard
   typedef Face_grid<face_descriptor> Grid;
   struct Place
   {
-    typename Grid::Cell_key key;
-    bool is_known = false;
+    typename Grid::Cell* cell = nullptr;    // null: the face is not known
+    Bounding_box box;
   };
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Place> >::type Place_map;
 
@@ -55,26 +55,38 @@ public:
   // the face is new, or has moved
   void note(const face_descriptor f, const std::array<Vector, 3>& points)
   {
-    const typename Grid::Cell_key key = m_grid.key(Bounding_box(points));
-    const Place& before = get(m_places, f);
-    if(before.is_known && before.key == key)
-      return;
-    forget(f);
-    m_grid.insert(f, key);
     Place place;
-    place.key = key;
-    place.is_known = true;
+    place.box = Bounding_box(points);
+    const typename Grid::Cell_key key = m_grid.key(place.box);
+    const Place& before = get(m_places, f);
+    place.cell = before.cell;
+    if(before.cell == nullptr || !(before.cell->key == key))
+    {
+      if(before.cell != nullptr)
+        m_grid.erase(f, before.cell);
+      place.cell = m_grid.insert(f, key);
+    }
     put(m_places, f, place);
   }
 
   // the face will be removed
   void forget(const face_descriptor f)
   {
-    const Place place = get(m_places, f);
-    if(!place.is_known)
-      return;
-    m_grid.erase(f, place.key);
+    const Place& place = get(m_places, f);
+    if(place.cell != nullptr)
+      m_grid.erase(f, place.cell);
     put(m_places, f, Place());
+  }
+
+  // of a face that is known
+  const Bounding_box& box(const face_descriptor f) const { return get(m_places, f).box; }
+
+  // calls `visit(face)` for the faces whose boxes meet the box until it returns false
+  template <typename Visit>
+  bool visit_near(const Bounding_box& box, const Visit& visit) const
+  {
+    return m_grid.visit_near(box, [&](const face_descriptor f)
+                             { return !this->box(f).meets(box) || visit(f); });
   }
 
   // Whether `made` may take the place of `replaced`: none of them meets another, and none meets a face that
@@ -92,10 +104,10 @@ public:
     Bounding_box box(made[0].points);
     for(const Numbered_triangle& t : made)
       box.add(Bounding_box(t.points));
-    return m_grid.visit_near(box, [&](const face_descriptor f)
+    return visit_near(box, [&](const face_descriptor f)
     {
       const Numbered_triangle other = triangle(f);
-      if(!Bounding_box(other.points).meets(box) || is_among(other, replaced))
+      if(is_among(other, replaced))
         return true;
       const auto meets_other = [&](const Numbered_triangle& t) { return do_triangles_meet(t, other); };
       const auto number = std::count_if(made.begin(), made.end(), meets_other);

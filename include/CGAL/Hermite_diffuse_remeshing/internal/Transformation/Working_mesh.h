@@ -10,8 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_WORKING_MESH_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Intersection_guard.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Guarded_mesh.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
@@ -19,7 +18,6 @@
 #include <boost/container/static_vector.hpp>
 
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -31,9 +29,9 @@ namespace internal {
 // a patch label, and every call of the visitor is made here. An operation on a vertex or an edge of a
 // junction is carried out on all its copies.
 template <typename UserMesh>
-class Working_mesh : public Mesh_elements<UserMesh>
+class Working_mesh : public Guarded_mesh<UserMesh>
 {
-  typedef Mesh_elements<UserMesh> Base;
+  typedef Guarded_mesh<UserMesh> Base;
   typedef typename Base::Edge Edge;
 
 public:
@@ -61,7 +59,6 @@ private:
   std::size_t m_maximum_number_of_faces;
   Operation_counts m_counts;
   bool m_is_stopped = false;
-  std::unique_ptr<Intersection_guard<TriangleMesh> > m_guard;     // null: intersections are not looked for
 
 public:
   using Base::tmesh;
@@ -79,6 +76,11 @@ public:
   using Base::add_vertex;
   using Base::free_vertex;
   using Base::set_edge;
+  using Base::note;
+  using Base::note_around;
+  using Base::forget_around;
+  using Base::forget_ball;
+  using Base::move_ball;
 
   template <typename IsFrozen>
   Working_mesh(const UserMesh& user, const Reference& reference,
@@ -86,15 +88,9 @@ public:
                const std::vector<char>& is_remeshed,
                const IsFrozen& is_edge_frozen,
                const std::size_t maximum_number_of_faces, const bool is_guarded)
-    : Base(user, reference, faces_of_reference, is_remeshed, is_edge_frozen)
+    : Base(user, reference, faces_of_reference, is_remeshed, is_edge_frozen, is_guarded)
     , m_maximum_number_of_faces(maximum_number_of_faces)
-  {
-    if(!is_guarded)
-      return;
-    m_guard.reset(new Intersection_guard<TriangleMesh>(m_user.tmesh, model_diameter(reference.surface.triangles())));
-    for(const face_descriptor f : faces(tmesh()))
-      note(f);
-  }
+  {}
 
   const Operation_counts& counts() const { return m_counts; }
 
@@ -115,14 +111,6 @@ public:
   bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }
   void report_progress(const double fraction) { m_user.visitor.progress(fraction); }
 
-  // \name Self-intersections
-  bool is_guarded() const { return m_guard != nullptr; }
-  // may the one triangles take the place of the others?
-  bool is_free(const Numbered_triangles& made, const Numbered_triangles& replaced) const
-  {
-    return !m_guard || m_guard->allows(made, replaced, [this](const face_descriptor f) { return triangle(f); });
-  }
-
   // \name Operations
   // The caller has made sure that they are legal.
 
@@ -134,6 +122,7 @@ public:
     vertex.type = is_on_curve(h) ? CURVE_VERTEX : SURFACE_VERTEX;
     const typename Base::Siblings edges_to_split = siblings(h);
     const int number = add_vertex(vertex);
+    forget_ball(number);
     Copies copies;
     for(const halfedge_descriptor sibling : edges_to_split)
       copies.push_back(split_sibling(sibling, number));
@@ -149,6 +138,7 @@ public:
   vertex_descriptor collapse_edge(const halfedge_descriptor h, const Site& site)
   {
     const int kept = index(target(h, tmesh())), removed = index(source(h, tmesh()));
+    move_ball(kept, (site.point - m_vertices[kept].site.point).norm());
     m_vertices[kept].site = site;
     vertex_descriptor v = target(h, tmesh());
     forget_around(v);
@@ -183,6 +173,7 @@ public:
   void relocate(const vertex_descriptor v, const Site& site)
   {
     visit_copies(v, [&](const vertex_descriptor copy) { m_user.visitor.before_vertex_relocation(copy); });
+    move_ball(index(v), (site.point - point(v)).norm());
     m_vertices[index(v)].site = site;
     visit_copies(v, [&](const vertex_descriptor copy)
     {
@@ -271,35 +262,6 @@ public:
   }
 
 private:
-  void note(const face_descriptor f)
-  {
-    if(m_guard)
-      m_guard->note(f, triangle(f).points);
-  }
-
-  void note_around(const vertex_descriptor v)
-  {
-    if(m_guard)
-      visit_copies(v, [&](const vertex_descriptor copy)
-      {
-        for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
-          if(!CGAL::is_border(h, tmesh()))
-            note(face(h, tmesh()));
-      });
-  }
-
-  // before faces around v are removed
-  void forget_around(const vertex_descriptor v)
-  {
-    if(m_guard)
-      visit_copies(v, [&](const vertex_descriptor copy)
-      {
-        for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
-          if(!CGAL::is_border(h, tmesh()))
-            m_guard->forget(face(h, tmesh()));
-      });
-  }
-
   // what new faces inherit from the one whose place they take
   struct Face_data
   {

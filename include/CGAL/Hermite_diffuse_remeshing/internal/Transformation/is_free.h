@@ -60,8 +60,20 @@ inline Numbered_triangle with_corner(Numbered_triangle t, const int old_number, 
   return t;
 }
 
+// the first of the vertices that lies off the curves; null if there is none
 template <typename UserMesh>
-bool is_relocation_free(const Working_mesh<UserMesh>& mesh,
+typename Working_mesh<UserMesh>::vertex_descriptor
+surface_vertex(const Working_mesh<UserMesh>& mesh,
+               const std::initializer_list<typename Working_mesh<UserMesh>::vertex_descriptor> vertices)
+{
+  for(const auto v : vertices)
+    if(mesh.data(v).type == SURFACE_VERTEX && mesh.site(v).has_normal())
+      return v;
+  return Working_mesh<UserMesh>::Graph_traits::null_vertex();
+}
+
+template <typename UserMesh>
+bool is_relocation_free(Working_mesh<UserMesh>& mesh,
                         const typename Working_mesh<UserMesh>::vertex_descriptor v, const Site& site)
 {
   if(!mesh.is_guarded())
@@ -70,11 +82,11 @@ bool is_relocation_free(const Working_mesh<UserMesh>& mesh,
   Numbered_triangles made;
   for(const Numbered_triangle& t : replaced)
     made.push_back(with_corner(t, mesh.index(v), mesh.index(v), site.point));
-  return mesh.is_free(made, replaced);
+  return mesh.is_free(surface_vertex(mesh, {v}), made, replaced);
 }
 
 template <typename UserMesh>
-bool is_collapse_free(const Working_mesh<UserMesh>& mesh,
+bool is_collapse_free(Working_mesh<UserMesh>& mesh,
                       const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
 {
   if(!mesh.is_guarded())
@@ -89,13 +101,14 @@ bool is_collapse_free(const Working_mesh<UserMesh>& mesh,
     if(std::count(moved.vertices.begin(), moved.vertices.end(), mesh.index(t)) == 1)
       made.push_back(moved);
   }
-  return mesh.is_free(made, replaced);
+  return mesh.is_free(surface_vertex(mesh, {s}), made, replaced);
 }
 
 template <typename UserMesh>
-bool is_split_free(const Working_mesh<UserMesh>& mesh,
+bool is_split_free(Working_mesh<UserMesh>& mesh,
                    const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
 {
+  typedef Working_mesh<UserMesh> Mesh;
   if(!mesh.is_guarded())
     return true;
   const auto& tm = mesh.tmesh();
@@ -109,11 +122,12 @@ bool is_split_free(const Working_mesh<UserMesh>& mesh,
       made.push_back(with_corner(replaced.back(), mesh.index(source(side, tm)), number_of_new_vertex, site.point));
       made.push_back(with_corner(replaced.back(), mesh.index(target(side, tm)), number_of_new_vertex, site.point));
     }
-  return mesh.is_free(made, replaced);
+  return mesh.is_free(mesh.is_on_curve(h) ? Mesh::Graph_traits::null_vertex()
+                                          : surface_vertex(mesh, {source(h, tm), target(h, tm)}), made, replaced);
 }
 
 template <typename UserMesh>
-bool is_flip_free(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+bool is_flip_free(Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
 {
   if(!mesh.is_guarded())
     return true;
@@ -125,12 +139,12 @@ bool is_flip_free(const Working_mesh<UserMesh>& mesh, const typename Working_mes
   replaced.push_back(mesh.triangle(face(o, tm)));
   made.push_back(with_corner(replaced[0], mesh.index(target(h, tm)), mesh.index(d), mesh.point(d)));
   made.push_back(with_corner(replaced[1], mesh.index(source(h, tm)), mesh.index(c), mesh.point(c)));
-  return mesh.is_free(made, replaced);
+  return mesh.is_free(surface_vertex(mesh, {source(h, tm), target(h, tm), c, d}), made, replaced);
 }
 
 // may contours take the place of the faces around a vertex?
 template <typename UserMesh>
-bool is_filling_free(const Working_mesh<UserMesh>& mesh,
+bool is_filling_free(Working_mesh<UserMesh>& mesh,
                      const typename Working_mesh<UserMesh>::vertex_descriptor v,
                      const std::initializer_list<const Contour<UserMesh>*> contours)
 {
@@ -148,7 +162,7 @@ bool is_filling_free(const Working_mesh<UserMesh>& mesh,
       }
       made.push_back(t);
     }
-  return mesh.is_free(made, triangles_around(mesh, {v}));
+  return mesh.is_free(surface_vertex(mesh, {v}), made, triangles_around(mesh, {v}));
 }
 
 } // namespace internal

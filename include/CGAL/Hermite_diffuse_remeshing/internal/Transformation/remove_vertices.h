@@ -52,7 +52,7 @@ public:
     return m_contour.fill(mesh, mesh.hint(first));
   }
 
-  bool is_free(const Mesh& mesh) const { return is_filling_free(mesh, m_vertex, {&m_contour}); }
+  bool is_free(Mesh& mesh) const { return is_filling_free(mesh, m_vertex, {&m_contour}); }
 
   void execute(Mesh& mesh) const { mesh.remove_vertex(m_vertex, m_contour.diagonals()); }
 };
@@ -110,7 +110,7 @@ public:
     return result;
   }
 
-  bool is_free(const Mesh& mesh) const
+  bool is_free(Mesh& mesh) const
   { return is_filling_free(mesh, source(m_halfedge, mesh.tmesh()), {&m_contours[0], &m_contours[1]}); }
 
   void execute(Mesh& mesh) const
