@@ -132,6 +132,11 @@ struct Reference
     return site;
   }
 
+  double curve_size(const int curve, const double parameter) const
+  {
+    return sizes(curves.curves[curve].location(parameter, surface.triangles(), edges));
+  }
+
   Site curve_site(const int curve, const double parameter) const
   {
     const Feature_curve& c = curves.curves[curve];
@@ -148,8 +153,7 @@ struct Reference
   bool is_chord_faithful(const int curve, const double first, const double last) const
   {
     const Feature_curve& c = curves.curves[curve];
-    const double size = (sizes(c.location(first, surface.triangles(), edges))
-                         + sizes(c.location(last, surface.triangles(), edges))) / 2.;
+    const double size = (curve_size(curve, first) + curve_size(curve, last)) / 2.;
     return c.spline.distance_to_chord((std::min)(first, last), (std::max)(first, last)) <= sizes.largest_sagitta(size);
   }
 

@@ -12,9 +12,9 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
 
 #include <boost/container/small_vector.hpp>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -91,7 +91,8 @@ public:
 
   struct Badness
   {
-    double sum = 0., worst_score = 1.;
+    double sum = 0.;
+    Worth worst;
   };
 
   Badness badness(const Site& site) const
@@ -99,10 +100,9 @@ public:
     Badness result;
     for(const Triangle& t : m_triangles)
     {
-      const double score = internal::worth(m_reference, site, *t.from, *t.to, t.hint).score;
-      result.worst_score = (std::min)(result.worst_score, score);
-      const double miss = CGAL::square(1. - score);
-      result.sum += m_objective == MEAN ? miss : CGAL::square(CGAL::square(miss));
+      const Worth w = internal::worth(m_reference, site, *t.from, *t.to, t.hint);
+      result.worst.add(w);
+      result.sum += miss(w.score);
     }
     return result;
   }
@@ -122,26 +122,25 @@ public:
   Site better_site(const Site& start) const
   {
     const Node_frame frame(start.point, start.normal, m_first->point, 1.);
-    constexpr int number_of_directions = 8;
     // of the radius: the last is small enough to settle near the optimum
     constexpr double first_step = 0.2, last_step = 0.02;
     // sums closer than this are the same
     constexpr double least_decrease = 1. - score_margin;
     const double radius = this->radius(start);
-    Site best = start;
-    Badness least = badness(start);
+    const Sides sides = find_sides(start);
+    Vector best = start.point;
+    Flat_badness least = flat_badness(sides, best, Flat_badness{(std::numeric_limits<double>::infinity)(),
+                                                                -(std::numeric_limits<double>::infinity)()});
     for(double step = first_step; step >= last_step; )
     {
-      const Site center = best;
+      const Vector center = best;
       bool is_moved = false;
-      for(int i = 0; i < number_of_directions; ++i)
+      for(const std::array<double, 2>& direction : directions)
       {
-        const double angle = 2. * boost::math::constants::pi<double>() * i / number_of_directions;
-        Site candidate = start;
-        candidate.point = center.point + step * radius * (std::cos(angle) * frame.x_axis
-                                                          + std::sin(angle) * frame.y_axis);
-        const Badness b = badness(candidate);
-        if(b.sum < least_decrease * least.sum && b.worst_score >= least.worst_score - score_rounding)
+        const Vector candidate = center + step * radius * (direction[0] * frame.x_axis + direction[1] * frame.y_axis);
+        const Flat_badness limit{least_decrease * least.sum, least.worst_score - score_rounding};
+        const Flat_badness b = flat_badness(sides, candidate, limit);
+        if(b.sum < limit.sum)
         {
           least = b;
           best = candidate;
@@ -151,10 +150,66 @@ public:
       if(!is_moved)
         step /= 2.;
     }
-    return best.point == start.point ? start : m_reference.surface_site(best.point, start.location.face);
+    return best == start.point ? start : m_reference.surface_site(best, start.location.face);
   }
 
 private:
+  // What is the same for all candidates in the tangent plane: the side opposite to them, and the model's normal.
+  struct Side
+  {
+    Vector from, to, normal;
+    double length;
+  };
+  typedef boost::container::small_vector<Side, 16> Sides;
+  struct Flat_badness { double sum, worst_score; };
+
+  static constexpr double diagonal = 0.70710678118654752440;       // 1 / sqrt(2)
+  static constexpr std::array<std::array<double, 2>, 8> directions =
+    {{ {{1., 0.}}, {{diagonal, diagonal}}, {{0., 1.}}, {{-diagonal, diagonal}},
+       {{-1., 0.}}, {{-diagonal, -diagonal}}, {{0., -1.}}, {{diagonal, -diagonal}} }};
+
+  double miss(const double score) const
+  {
+    const double square = CGAL::square(1. - score);
+    return m_objective == MEAN ? square : CGAL::square(CGAL::square(square));
+  }
+
+  Sides find_sides(const Site& site) const
+  {
+    Sides result;
+    for(const Triangle& t : m_triangles)
+      result.push_back({t.from->point, t.to->point,
+                        triangle_normal(m_reference, site, *t.from, *t.to, t.hint).normalized(),
+                        (t.to->point - t.from->point).norm()});
+    return result;
+  }
+
+  // as badness(), with an infinite sum where a limit is passed
+  Flat_badness flat_badness(const Sides& sides, const Vector& p, const Flat_badness& limit) const
+  {
+    Flat_badness result{0., 1.};
+    for(const Side& side : sides)
+    {
+      const Vector a = side.from - p, b = side.to - p;
+      const Vector n = a.cross(b);
+      const double double_area = n.norm(), cosine_area = n.dot(side.normal);
+      double score = 0.;
+      if(cosine_area > 0.)
+      {
+        const double la = a.norm(), lb = b.norm();
+        score = 2. * std::sqrt(3.) * CGAL::square(cosine_area)
+              / (double_area * (la + lb + side.length) * (std::max)({la, lb, side.length}));
+      }
+      else if(cosine_area < 0.)
+        score = cosine_area / double_area;
+      result.worst_score = (std::min)(result.worst_score, score);
+      result.sum += miss(score);
+      if(score < limit.worst_score || result.sum >= limit.sum)
+        return {(std::numeric_limits<double>::infinity)(), score};
+    }
+    return result;
+  }
+
   template <typename UserMesh>
   void look_at(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v)
   {

@@ -70,12 +70,19 @@ int excess_of_faces(const Working_mesh<UserMesh>& mesh, const typename Working_m
 }
 
 template <typename UserMesh>
+bool is_flippable(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  return !mesh.is_on_curve(h) && !mesh.is_protected(h) && !mesh.is_border_or_outside(h)
+      && !mesh.is_border_or_outside(opposite(h, mesh.tmesh()));
+}
+
+template <typename UserMesh>
 bool is_flip_topologically_legal(const Working_mesh<UserMesh>& mesh,
                                  const typename Working_mesh<UserMesh>::halfedge_descriptor h)
 {
   const auto& tm = mesh.tmesh();
   const auto o = opposite(h, tm);
-  if(mesh.is_on_curve(h) || mesh.is_protected(h) || mesh.is_border_or_outside(h) || mesh.is_border_or_outside(o))
+  if(!is_flippable(mesh, h))
     return false;
   const auto c = target(next(h, tm), tm), d = target(next(o, tm), tm);
   return c != d && !mesh.are_joined(c, d);
@@ -126,19 +133,19 @@ template <typename UserMesh>
 bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h,
                    const Flip_criterion criterion)
 {
-  if(!is_flip_topologically_legal(mesh, h))
+  // the cheaper and the more selective questions come first
+  if(!is_flippable(mesh, h))
+    return false;
+  const int gain = criterion == BY_VALENCE ? valence_gain(mesh, h) : 0;
+  if(gain < 0)
     return false;
   const Worth before = worth_of_pair(mesh, h), after = worth_after_flip(mesh, h);
-  if(criterion == BY_SCORE)
-    return is_better(after, before);
-  const int gain = valence_gain(mesh, h);
   // triangles worse than this would hinder the relocation
   constexpr double least_score_of_flip = 0.4;
-  return gain > 0 ? is_score_acceptable(after.score, before.score, least_score_of_flip)
-                  : gain == 0 && is_better(after, before);
+  return (gain > 0 ? is_score_acceptable(after.score, before.score, least_score_of_flip) : is_better(after, before))
+      && is_flip_topologically_legal(mesh, h);
 }
 
-// Flips the edges near which something has changed since the change numbered `since`.
 template <typename UserMesh>
 std::size_t flip_edges(Working_mesh<UserMesh>& mesh, const Flip_criterion criterion, const std::size_t since)
 {

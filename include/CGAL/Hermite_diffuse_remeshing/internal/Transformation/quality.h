@@ -63,6 +63,7 @@ inline bool is_better(const Worth& after, const Worth& before)
   return after.score > before.score + score_margin && is_no_worse(after, before);
 }
 
+// `model_normal` may have any length
 inline Worth worth(const Vector& a, const Vector& b, const Vector& c, const Vector& model_normal)
 {
   const Vector n = (b - a).cross(c - a);
@@ -72,18 +73,22 @@ inline Worth worth(const Vector& a, const Vector& b, const Vector& c, const Vect
     return result;
   result.quality = quality(a, b, c, double_area);
   const double cosine = n.dot(model_normal) / double_area;
-  result.score = cosine > 0. ? result.quality * cosine * cosine : cosine;
+  const double squared_length = model_normal.squaredNorm();
+  if(cosine > 0.)
+    result.score = result.quality * cosine * cosine / squared_length;
+  else if(cosine < 0.)
+    result.score = cosine / std::sqrt(squared_length);
   return result;
 }
 
 // The model's normal at a triangle: the mean of those at its vertices, which is close to the one at the
-// centroid and costs no search. Sites on curves have none; where less than two others are left, it is
-// looked up on the reference, near the face `hint`.
+// centroid and costs no search; their sum is as good. Sites on curves have none; where less than two others are
+// left, it is looked up on the reference, near the face `hint`.
 inline Vector triangle_normal(const Reference& reference, const Site& a, const Site& b, const Site& c, const int hint)
 {
   if(a.has_normal() + b.has_normal() + c.has_normal() < 2)
     return reference.normal_near((a.point + b.point + c.point) / 3., hint);
-  return (a.normal + b.normal + c.normal).stableNormalized();
+  return a.normal + b.normal + c.normal;
 }
 
 inline Worth worth(const Reference& reference, const Site& a, const Site& b, const Site& c, const int hint)

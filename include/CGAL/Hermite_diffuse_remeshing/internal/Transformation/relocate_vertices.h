@@ -24,43 +24,58 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Where the sizes want the vertex: on a curve, between its neighbours in proportion to the sizes;
-// on the surface, the centroid of the faces around, each weighted by its area in units of the size.
+// of the size: moves that cannot be seen are not made, so that the sweeps come to rest
+constexpr double least_move = 0.02;
+
+// Where the sizes want a vertex of a curve: between its neighbours, in proportion to the sizes
 template <typename UserMesh>
-Site balanced_site(const Working_mesh<UserMesh>& mesh,
-                   const typename Working_mesh<UserMesh>::vertex_descriptor v)
+Site balanced_site_on_curve(const Working_mesh<UserMesh>& mesh,
+                            const typename Working_mesh<UserMesh>::vertex_descriptor v)
+{
+  const Site& site = mesh.site(v);
+  const std::pair<double, double> ends = neighbor_parameters(mesh, v);
+  const Reference& reference = mesh.reference();
+  const double before = reference.curve_size(site.curve, ends.first) + site.size;
+  const double after = reference.curve_size(site.curve, ends.second) + site.size;
+  return reference.curve_site(site.curve, ends.first + (ends.second - ends.first) * before / (before + after));
+}
+
+// and one of the surface: the centroid of the faces around, each weighted by its area in units of the size
+template <typename UserMesh>
+Site balanced_site_on_surface(const Working_mesh<UserMesh>& mesh,
+                              const typename Working_mesh<UserMesh>::vertex_descriptor v)
 {
   const auto& tm = mesh.tmesh();
-  const Site& site = mesh.data(v).site;
-  if(mesh.data(v).type == CURVE_VERTEX)
-  {
-    const std::pair<double, double> ends = neighbor_parameters(mesh, v);
-    const Reference& reference = mesh.reference();
-    const double size_before = reference.curve_site(site.curve, ends.first).size;
-    const double size_after = reference.curve_site(site.curve, ends.second).size;
-    const double before = size_before + site.size, after = size_after + site.size;
-    return reference.curve_site(site.curve, ends.first + (ends.second - ends.first) * before / (before + after));
-  }
+  const Site& site = mesh.site(v);
   Vector sum = Vector::Zero();
   double sum_of_weights = 0.;
-  int hint = -1;
   for(const auto h : CGAL::halfedges_around_target(v, tm))
   {
     if(mesh.is_border_or_outside(h))
       continue;
-    const auto s = source(h, tm), t = target(next(h, tm), tm);
-    const Vector p = mesh.point(s) - site.point, q = mesh.point(t) - site.point;
-    const double size = (site.size + mesh.size(s) + mesh.size(t)) / 3.;
+    const Site& s = mesh.site(source(h, tm));
+    const Site& t = mesh.site(target(next(h, tm), tm));
+    const Vector p = s.point - site.point, q = t.point - site.point;
+    const double size = (site.size + s.size + t.size) / 3.;
     const double weight = p.cross(q).norm() / (size * size);
     sum += weight * (p + q) / 3.;
     sum_of_weights += weight;
-    hint = site.location.face;
   }
-  return sum_of_weights > 0. ? mesh.reference().surface_site(site.point + sum / sum_of_weights, hint) : site;
+  if(!(sum_of_weights > 0.))
+    return site;
+  const Vector move = sum / sum_of_weights;
+  if((move - move.dot(site.normal) * site.normal).norm() < least_move * site.size)
+    return site;                        // the model needs not be asked
+  return mesh.reference().surface_site(site.point + move, site.location.face);
 }
 
-// One sweep: each vertex goes to its balanced place, or half or a quarter of the way, if the worst
-// score around it does not fall below the floor or below what it was.
+template <typename UserMesh>
+Site balanced_site(const Working_mesh<UserMesh>& mesh,
+                   const typename Working_mesh<UserMesh>::vertex_descriptor v)
+{
+  return mesh.data(v).type == CURVE_VERTEX ? balanced_site_on_curve(mesh, v) : balanced_site_on_surface(mesh, v);
+}
+
 template <typename UserMesh>
 std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
@@ -71,8 +86,6 @@ std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
       break;
     const Site& old_site = mesh.data(v).site;
     const Site site = balanced_site(mesh, v);
-    // moves that cannot be seen are not made: the sweeps come to rest
-    constexpr double least_move = 0.02;
     if((site.point - old_site.point).norm() < least_move * old_site.size)
       continue;
     if(mesh.data(v).type == CURVE_VERTEX && !is_curve_move_faithful(mesh, v, site.parameter))
@@ -110,7 +123,7 @@ Site better_site_on_curve(const Working_mesh<UserMesh>& mesh,
         continue;
       const Site candidate = reference.curve_site(best.curve, s);
       const Star::Badness b = star.badness(candidate);
-      if(b.sum < (1. - score_margin) * least.sum && b.worst_score >= least.worst_score - score_rounding)
+      if(b.sum < (1. - score_margin) * least.sum && b.worst.score >= least.worst.score - score_rounding)
       {
         least = b;
         best = candidate;
@@ -147,9 +160,11 @@ std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
     star.add(mesh, v);
     const Site& old_site = mesh.site(v);
     const Site site = better_site(mesh, v, star);
-    const Worth worth_before = star.worth(old_site), worth_after = star.worth(site);
-    if(is_no_worse(worth_after, worth_before)
-       && star.badness(site).sum < (1. - least_gain) * star.badness(old_site).sum && is_relocation_free(mesh, v, site))
+    if(site.point == old_site.point)
+      continue;
+    const Star::Badness before_move = star.badness(old_site), after_move = star.badness(site);
+    if(is_no_worse(after_move.worst, before_move.worst) && after_move.sum < (1. - least_gain) * before_move.sum
+       && is_relocation_free(mesh, v, site))
       mesh.relocate(v, site);
   }
   return mesh.counts().relocations - before;
