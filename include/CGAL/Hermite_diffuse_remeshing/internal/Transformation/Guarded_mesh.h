@@ -11,12 +11,14 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Intersection_guard.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Normal_cone.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Sheet_view.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -58,15 +60,18 @@ private:
   std::size_t m_number_of_searches = 0;
   Sheet_view m_view;
   std::vector<face_descriptor> m_queue;
+  std::vector<std::pair<double, std::size_t> > m_sheet;             // distances of faces in the queue
 
-  // A search looks as many times as far as asked for, so that its ball serves the neighbours too.
-  static constexpr double reach_of_search = 3.;
+  // A search that succeeds looks again, as many times as far as asked for, so that its ball serves the neighbours too.
+  static constexpr double reach_of_search = 2.5;
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball must be larger by this
   // than what takes place in it.
   static constexpr double clearance = 1.25;
-  // Cosines of the angles to the axis, of the faces that are found in a ball, and of those that may be made there.
-  // What is between them is what normals change while chords of the surface are exchanged.
-  static constexpr double least_cosine_found = 0.5, least_cosine_made = 0.35;
+  // Angles to the axis in radians: of the faces that are found in a ball, and the cosine of the angle of those that
+  // may be made there. What is between them is what normals change while chords of the surface are exchanged.
+  static constexpr double largest_angle_found = 1.15, least_cosine_made = 0.25;
+  // cones are not made narrower: most faces need no change of the cone then
+  static constexpr double least_angle = 0.25;
 
 public:
   using Base::tmesh;
@@ -94,8 +99,8 @@ public:
 
   bool is_guarded() const { return m_guard != nullptr; }
 
-  // May the one triangles take the place of the others? `center`: a vertex of the surface, off the curves, at which
-  // the operation takes place, if there is one and nothing changes but what is inside a contour; null otherwise.
+  // May the one triangles take the place of the others? `center`: a vertex at which the operation takes place, if
+  // nothing changes but what is inside a contour; null otherwise.
   bool is_free(const vertex_descriptor center, const Numbered_triangles& made, const Numbered_triangles& replaced)
   {
     if(!m_guard)
@@ -173,6 +178,12 @@ private:
                        { return faces_axis(t, ball.axis, least_cosine_made); });
   }
 
+  static Vector unit_normal(const Numbered_triangle& t)
+  {
+    const Vector n = (t.points[1] - t.points[0]).cross(t.points[2] - t.points[0]);
+    return n / n.norm();
+  }
+
   static bool faces_axis(const Numbered_triangle& t, const Vector& axis, const double least_cosine)
   {
     const Vector n = (t.points[1] - t.points[0]).cross(t.points[2] - t.points[0]);
@@ -197,17 +208,53 @@ private:
       }
     }
     if(ball.radius < radius && ball.bound >= radius)
-      search(v, reach_of_search * radius);
-    return ball.radius >= radius;
+      search(v, radius);
+    else
+      return ball.radius >= radius;
+    if(ball.radius < radius)
+      return false;
+    search(v, reach_of_search * radius);
+    return true;
   }
 
   void search(const vertex_descriptor v, double radius)
   {
     Clear_ball& ball = m_balls[index(v)];
-    const Vector center = point(v), axis = this->site(v).normal;
+    const Vector center = point(v);
     const double first_radius = radius;
+    collect_sheet(v, radius);
+    const Vector reach = Vector::Constant(radius);
+    m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f)
+    {
+      if(get(m_search, f) != m_number_of_searches)
+        radius = (std::min)(radius, m_guard->box(f).distance(center));
+      return true;
+    });
+    std::sort(m_sheet.begin(), m_sheet.end());
+
+    Normal_cone cone(unit_normal(triangle(m_queue.front())), least_angle);
+    m_view.clear();
+    for(const std::pair<double, std::size_t>& entry : m_sheet)
+    {
+      if(entry.first >= radius)
+        break;
+      const Numbered_triangle t = triangle(m_queue[entry.second]);
+      if(cone.add(unit_normal(t), largest_angle_found))
+        m_view.add(t, entry.first);
+      else
+        radius = entry.first;
+    }
+    radius = m_view.simple_radius(cone.axis(), radius);
+    ball.radius = radius;
+    ball.axis = cone.axis();
+    ball.bound = radius < first_radius ? radius : (std::numeric_limits<double>::infinity)();
+  }
+
+  // the faces that hang together with v and begin within the radius
+  void collect_sheet(const vertex_descriptor v, const double radius)
+  {
     ++m_number_of_searches;
-    m_view.start(axis);
+    m_sheet.clear();
     m_queue.clear();
     const auto meet = [&](const halfedge_descriptor h)
     {
@@ -221,30 +268,13 @@ private:
     for(std::size_t i = 0; i < m_queue.size(); ++i)
     {
       const face_descriptor f = m_queue[i];
-      const double distance = m_guard->box(f).distance(center);
+      const double distance = m_guard->box(f).distance(point(v));
       if(distance >= radius)
         continue;
-      const Numbered_triangle t = triangle(f);
-      if(!faces_axis(t, axis, least_cosine_found))
-      {
-        radius = distance;
-        continue;
-      }
-      m_view.add(t, distance);
+      m_sheet.push_back(std::make_pair(distance, i));
       for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tmesh()), tmesh()))
         meet(opposite(h, tmesh()));
     }
-    const Vector reach = Vector::Constant(radius);
-    m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f)
-    {
-      if(get(m_search, f) != m_number_of_searches)
-        radius = (std::min)(radius, m_guard->box(f).distance(center));
-      return true;
-    });
-    radius = m_view.simple_radius(radius);
-    ball.radius = radius;
-    ball.axis = axis;
-    ball.bound = radius < first_radius ? radius : (std::numeric_limits<double>::infinity)();
   }
 
   // triangles that turn from an axis end what was known around them

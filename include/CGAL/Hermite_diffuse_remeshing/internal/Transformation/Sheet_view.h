@@ -12,69 +12,82 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/do_triangles_meet.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Triangles of a part of a surface, seen along an axis: tells which of them lie above others, as on a spiral
-// staircase.
+// Triangles of a part of a surface, seen along an axis: tells whether some of them lie above others, as on a
+// spiral staircase.
 class Sheet_view
 {
   struct Shadow
   {
     std::array<int, 3> vertices;
     std::array<double, 3> x, y;
-    double left, right, low, high;
-    double distance;                    // of the triangle to the middle of the view
+    double right, low, high, distance;
   };
 
-  Vector m_x_axis, m_y_axis;
+  struct Seen_triangle
+  {
+    Numbered_triangle triangle;
+    double distance;                    // to the middle of the view
+  };
+
+  std::vector<Seen_triangle> m_triangles;
   std::vector<Shadow> m_shadows;
+  std::vector<std::pair<double, std::size_t> > m_order;           // of the shadows, from the left
 
 public:
-  void start(const Vector& axis)
-  {
-    m_x_axis = axis.unitOrthogonal();
-    m_y_axis = axis.cross(m_x_axis);
-    m_shadows.clear();
-  }
+  void clear() { m_triangles.clear(); }
+  void add(const Numbered_triangle& t, const double distance) { m_triangles.push_back({t, distance}); }
 
-  void add(const Numbered_triangle& t, const double distance)
+  // the radius around the middle, up to a bound, within which no triangle lies above another, seen along an axis
+  double simple_radius(const Vector& axis, double bound)
   {
-    Shadow s;
-    s.vertices = t.vertices;
-    for(int i = 0; i < 3; ++i)
+    cast_shadows(axis);
+    for(std::size_t i = 0; i < m_order.size(); ++i)
     {
-      s.x[i] = m_x_axis.dot(t.points[i]);
-      s.y[i] = m_y_axis.dot(t.points[i]);
-    }
-    s.left = (std::min)({s.x[0], s.x[1], s.x[2]});
-    s.right = (std::max)({s.x[0], s.x[1], s.x[2]});
-    s.low = (std::min)({s.y[0], s.y[1], s.y[2]});
-    s.high = (std::max)({s.y[0], s.y[1], s.y[2]});
-    s.distance = distance;
-    m_shadows.push_back(s);
-  }
-
-  // the radius around the middle, up to a bound, within which no triangle lies above another
-  double simple_radius(double bound)
-  {
-    std::sort(m_shadows.begin(), m_shadows.end(), [](const Shadow& s, const Shadow& t) { return s.left < t.left; });
-    for(std::size_t i = 0; i < m_shadows.size(); ++i)
-      for(std::size_t j = i + 1; j < m_shadows.size() && m_shadows[j].left < m_shadows[i].right; ++j)
+      const Shadow& s = m_shadows[m_order[i].second];
+      for(std::size_t j = i + 1; j < m_order.size() && m_order[j].first < s.right; ++j)
       {
-        const Shadow& s = m_shadows[i];
-        const Shadow& t = m_shadows[j];
+        const Shadow& t = m_shadows[m_order[j].second];
         if(s.low < t.high && t.low < s.high && (std::max)(s.distance, t.distance) < bound && do_overlap(s, t))
           bound = (std::max)(s.distance, t.distance);
       }
+    }
     return bound;
   }
 
 private:
+  void cast_shadows(const Vector& axis)
+  {
+    const Vector x_axis = axis.unitOrthogonal(), y_axis = axis.cross(x_axis);
+    m_shadows.clear();
+    m_order.clear();
+    for(const Seen_triangle& seen : m_triangles)
+    {
+      Shadow s;
+      s.vertices = seen.triangle.vertices;
+      for(int i = 0; i < 3; ++i)
+      {
+        s.x[i] = x_axis.dot(seen.triangle.points[i]);
+        s.y[i] = y_axis.dot(seen.triangle.points[i]);
+      }
+      s.right = (std::max)({s.x[0], s.x[1], s.x[2]});
+      s.low = (std::min)({s.y[0], s.y[1], s.y[2]});
+      s.high = (std::max)({s.y[0], s.y[1], s.y[2]});
+      s.distance = seen.distance;
+      m_order.push_back(std::make_pair((std::min)({s.x[0], s.x[1], s.x[2]}), m_shadows.size()));
+      m_shadows.push_back(s);
+    }
+    std::sort(m_order.begin(), m_order.end());
+  }
+
   // Neighbours, which have a common vertex, lie side by side as both face the viewer.
   static bool do_overlap(const Shadow& s, const Shadow& t)
   {

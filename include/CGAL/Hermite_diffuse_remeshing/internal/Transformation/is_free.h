@@ -60,16 +60,13 @@ inline Numbered_triangle with_corner(Numbered_triangle t, const int old_number, 
   return t;
 }
 
-// the first of the vertices that lies off the curves; null if there is none
+// The vertex, if the faces around it are a disc whose border is not touched; null otherwise
 template <typename UserMesh>
 typename Working_mesh<UserMesh>::vertex_descriptor
-surface_vertex(const Working_mesh<UserMesh>& mesh,
-               const std::initializer_list<typename Working_mesh<UserMesh>::vertex_descriptor> vertices)
+center_of_disc(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v)
 {
-  for(const auto v : vertices)
-    if(mesh.data(v).type == SURFACE_VERTEX && mesh.site(v).has_normal())
-      return v;
-  return Working_mesh<UserMesh>::Graph_traits::null_vertex();
+  return mesh.has_copies(v) || CGAL::is_border(v, mesh.tmesh())
+       ? Working_mesh<UserMesh>::Graph_traits::null_vertex() : v;
 }
 
 template <typename UserMesh>
@@ -82,7 +79,7 @@ bool is_relocation_free(Working_mesh<UserMesh>& mesh,
   Numbered_triangles made;
   for(const Numbered_triangle& t : replaced)
     made.push_back(with_corner(t, mesh.index(v), mesh.index(v), site.point));
-  return mesh.is_free(surface_vertex(mesh, {v}), made, replaced);
+  return mesh.is_free(center_of_disc(mesh, v), made, replaced);
 }
 
 template <typename UserMesh>
@@ -101,7 +98,7 @@ bool is_collapse_free(Working_mesh<UserMesh>& mesh,
     if(std::count(moved.vertices.begin(), moved.vertices.end(), mesh.index(t)) == 1)
       made.push_back(moved);
   }
-  return mesh.is_free(surface_vertex(mesh, {s}), made, replaced);
+  return mesh.is_free(center_of_disc(mesh, s), made, replaced);
 }
 
 template <typename UserMesh>
@@ -122,8 +119,8 @@ bool is_split_free(Working_mesh<UserMesh>& mesh,
       made.push_back(with_corner(replaced.back(), mesh.index(source(side, tm)), number_of_new_vertex, site.point));
       made.push_back(with_corner(replaced.back(), mesh.index(target(side, tm)), number_of_new_vertex, site.point));
     }
-  return mesh.is_free(mesh.is_on_curve(h) ? Mesh::Graph_traits::null_vertex()
-                                          : surface_vertex(mesh, {source(h, tm), target(h, tm)}), made, replaced);
+  return mesh.is_free(CGAL::is_border(edge(h, tm), tm) ? Mesh::Graph_traits::null_vertex()
+                                                      : center_of_disc(mesh, source(h, tm)), made, replaced);
 }
 
 template <typename UserMesh>
@@ -139,7 +136,7 @@ bool is_flip_free(Working_mesh<UserMesh>& mesh, const typename Working_mesh<User
   replaced.push_back(mesh.triangle(face(o, tm)));
   made.push_back(with_corner(replaced[0], mesh.index(target(h, tm)), mesh.index(d), mesh.point(d)));
   made.push_back(with_corner(replaced[1], mesh.index(source(h, tm)), mesh.index(c), mesh.point(c)));
-  return mesh.is_free(surface_vertex(mesh, {source(h, tm), target(h, tm), c, d}), made, replaced);
+  return mesh.is_free(mesh.has_copies(c) ? Working_mesh<UserMesh>::Graph_traits::null_vertex() : c, made, replaced);
 }
 
 // may contours take the place of the faces around a vertex?
@@ -162,7 +159,7 @@ bool is_filling_free(Working_mesh<UserMesh>& mesh,
       }
       made.push_back(t);
     }
-  return mesh.is_free(surface_vertex(mesh, {v}), made, triangles_around(mesh, {v}));
+  return mesh.is_free(center_of_disc(mesh, v), made, triangles_around(mesh, {v}));
 }
 
 } // namespace internal
