@@ -80,9 +80,14 @@ public:
   // returns the number of operations
   std::size_t run(const std::size_t since)
   {
+    std::size_t step = 0;
     for(const face_descriptor f : faces(m_mesh.tmesh()))
+    {
+      if(m_mesh.is_stopped_at(step++))
+        return 0;
       if(m_mesh.is_remeshed(f) && m_mesh.has_changed(f, since))
         push(halfedge(f, m_mesh.tmesh()));
+    }
     std::size_t number = 0;
     const std::size_t last_try = maximum_number_of_tries * m_queue.size();
     for(std::size_t i = 0; i < last_try && !m_queue.empty() && !m_mesh.is_stopped(); ++i)
