@@ -3,7 +3,8 @@
 //
 //   test_fuzz [NUMBER [FIRST_SEED [SECONDS]]]
 //
-// SECONDS of processor time are the most that a mesh may take; without them nothing is said about the time.
+// Without arguments the seeds that have found something come first. SECONDS of processor time are the most that a
+// mesh may take; without them nothing is said about the time.
 
 #include "test_helpers.h"
 
@@ -300,9 +301,14 @@ int main(int argc, char** argv)
   const unsigned number = argc > 1 ? unsigned(std::atoi(argv[1])) : 40;
   const unsigned first = argc > 2 ? unsigned(std::atoi(argv[2])) : 1;
   const double limit = argc > 3 ? std::atof(argv[3]) : std::numeric_limits<double>::infinity();
+  std::vector<unsigned> seeds;
+  if(argc == 1)
+    seeds = {453, 501};           // collapses of ears that touch other faces in their tips
+  for(unsigned i = 0; i < number; ++i)
+    seeds.push_back(first + i);
   unsigned accepted = 0, failed = 0, slowest = first;
   double longest = 0.;
-  for(unsigned seed = first; seed < first + number; ++seed)
+  for(const unsigned seed : seeds)
   {
     // of the processor, so that other programs do not count
     const std::clock_t begin = std::clock();
@@ -324,7 +330,7 @@ int main(int argc, char** argv)
       slowest = seed;
     }
   }
-  std::cout << accepted << " of " << number << " accepted, " << failed << " failed, the slowest was seed " << slowest
+  std::cout << accepted << " of " << seeds.size() << " accepted, " << failed << " failed, the slowest was seed " << slowest
             << " with " << longest << " s" << std::endl;
   assert(failed == 0);
   return EXIT_SUCCESS;

@@ -165,11 +165,15 @@ public:
     // a number of faces that is this close is met
     constexpr double tolerance = 0.002;
     constexpr int maximum_number_of_steps = 100;
+    // a smaller one, relative to the number, is rounding: the lengths of frozen edges rule
+    constexpr double least_decrease = 1e-6;
+    double last_number = std::numeric_limits<double>::infinity();
     for(int step = 0; step < maximum_number_of_steps; ++step, m_progress(0.))
     {
       const double number = number_of_faces(is_selected);
-      if(!(number > (1. + tolerance) * limit))
+      if(!(number > (1. + tolerance) * limit) || !(number < (1. - least_decrease) * last_number))
         return;
+      last_number = number;
       m_scale *= std::sqrt(number / limit);
       grade();
     }
