@@ -1,23 +1,27 @@
-// Remeshes every triangle mesh of a folder with one setting and prints a line of figures for each, as
-// comma-separated values, then a summary. Polygons are triangulated first.
+// Remeshes every triangle mesh of a folder with one setting. Writes a line of figures for each as comma-separated
+// values to the standard output, and a page that sums up to the standard error output. Polygons are
+// triangulated first. Seconds are those of the processor, so that other programs do not count.
 //
 //   corpus FOLDER [largest size of a file in bytes] [part of the diagonal]
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_features.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,11 +34,11 @@ typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 struct Time_limit
   : public CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<Mesh>
 {
-  static constexpr double seconds = 60.;
-  CGAL::Real_timer timer;
+  static constexpr double largest = 60.;
+  const std::clock_t begin = std::clock();
 
-  Time_limit() { timer.start(); }
-  bool is_stop_requested() { return timer.time() > seconds; }
+  double seconds() const { return double(std::clock() - begin) / CLOCKS_PER_SEC; }
+  bool is_stop_requested() { return seconds() > largest; }
 };
 
 std::size_t number_of_intersections(const Mesh& mesh)
@@ -42,6 +46,34 @@ std::size_t number_of_intersections(const Mesh& mesh)
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > pairs;
   PMP::self_intersections(faces(mesh), mesh, std::back_inserter(pairs));
   return pairs.size();
+}
+
+// with the classification of the package
+std::set<Kernel::Point_3> corners(const Mesh& mesh)
+{
+  typedef CGAL::Hermite_diffuse_remeshing::Edge_class Edge_class;
+  typedef CGAL::Hermite_diffuse_remeshing::Vertex_class Vertex_class;
+  Mesh copy = mesh;
+  const auto edge_class = copy.add_property_map<Mesh::Edge_index, Edge_class>("e:class").first;
+  const auto vertex_class = copy.add_property_map<Mesh::Vertex_index, Vertex_class>("v:class").first;
+  PMP::hermite_diffuse_classify_features(copy, edge_class, vertex_class);
+  std::set<Kernel::Point_3> result;
+  for(const auto v : copy.vertices())
+    if(!copy.is_isolated(v) && CGAL::Hermite_diffuse_remeshing::is_corner(vertex_class[v]))
+      result.insert(copy.point(v));
+  return result;
+}
+
+std::size_t number_of_missing(std::set<Kernel::Point_3> points, const Mesh& mesh)
+{
+  for(const auto v : mesh.vertices())
+    points.erase(mesh.point(v));
+  return points.size();
+}
+
+long euler_characteristic(const Mesh& mesh)
+{
+  return long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
 }
 
 double median(std::vector<double> values)
@@ -70,15 +102,18 @@ int main(int argc, char** argv)
 
   std::vector<double> deviations, qualities;
   double seconds = 0.;
-  int refused = 0, not_met = 0, newly_intersecting = 0, flat = 0, timed_out = 0, topology_changed = 0;
-  std::cout << "mesh,input faces,faces,Qmin,Qmean,deviation/diagonal,met,intersections before,after,seconds,stop" << std::endl;
+  int not_met = 0;
+  // what the summary names: meshes, by what there is to say of them
+  std::map<std::string, std::vector<std::string> > remarks;
+  std::cout << "mesh,input faces,faces,Qmin,Qmean,deviation/diagonal,met,intersections before,after,corners lost,"
+               "degenerate input faces,seconds,stop" << std::endl;
   for(const std::filesystem::path& file : files)
   {
     Mesh mesh;
     const std::string name = file.stem().string();
     if(!PMP::IO::read_polygon_mesh(file.string(), mesh) || mesh.number_of_faces() == 0)
     {
-      std::cout << name << ",unreadable" << std::endl;
+      remarks["no mesh of polygons"].push_back(name);
       continue;
     }
     PMP::triangulate_faces(mesh);
@@ -86,41 +121,52 @@ int main(int argc, char** argv)
     const double diagonal = std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
                                       + CGAL::square(box.zmax() - box.zmin()));
     const std::size_t intersections_before = number_of_intersections(mesh);
-    const long characteristic = long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
-    Time_limit limit;
+    const long characteristic = euler_characteristic(mesh);
     try
     {
+      const std::set<Kernel::Point_3> corners_before = corners(mesh);
+      Time_limit limit;
       const auto report = PMP::hermite_diffuse_remesh(mesh, CGAL::parameters::approximation_error(0.02)
         .maximum_deviation(part * diagonal).minimum_edge_length(0.003 * diagonal).maximum_edge_length(0.1 * diagonal)
         .visitor(std::ref(limit)));
-      const std::size_t intersections = number_of_intersections(mesh);
-      const long new_characteristic = long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
+      const double seconds_of_mesh = limit.seconds();
+      const std::size_t intersections = number_of_intersections(mesh), lost = number_of_missing(corners_before, mesh);
       std::cout << name << "," << report.number_of_input_faces << "," << report.number_of_faces << ","
                 << report.smallest_quality << "," << report.mean_quality << ","
                 << report.largest_deviation / diagonal << "," << report.is_maximum_deviation_met << ","
-                << intersections_before << "," << intersections << "," << report.seconds << ","
-                << CGAL::Hermite_diffuse_remeshing::name(report.stop_reason)
-                << (new_characteristic != characteristic ? ",TOPOLOGY CHANGED" : "")
-                << (intersections_before == 0 && intersections > 0 ? ",NEW INTERSECTIONS" : "") << std::endl;
-      deviations.push_back(report.largest_deviation / diagonal);
+                << intersections_before << "," << intersections << "," << lost << ","
+                << report.number_of_degenerate_input_faces << "," << seconds_of_mesh << ","
+                << CGAL::Hermite_diffuse_remeshing::name(report.stop_reason) << std::endl;
+      if(report.is_deviation_measured)
+        deviations.push_back(report.largest_deviation / diagonal);
       qualities.push_back(report.smallest_quality);
-      seconds += report.seconds;
+      seconds += seconds_of_mesh;
       not_met += !report.is_maximum_deviation_met;
-      newly_intersecting += intersections_before == 0 && intersections > 0;
-      flat += report.smallest_quality < 0.1;
-      timed_out += report.stop_reason == CGAL::Hermite_diffuse_remeshing::STOPPED_BY_VISITOR;
-      topology_changed += new_characteristic != characteristic;
+      const auto remark = [&](const bool is_true, const char* what) { if(is_true) remarks[what].push_back(name); };
+      remark(report.stop_reason == CGAL::Hermite_diffuse_remeshing::STOPPED_BY_VISITOR, "over the time limit");
+      remark(seconds_of_mesh > 10., "longer than 10 s");
+      remark(intersections_before == 0 && intersections > 0, "newly intersecting");
+      remark(intersections > intersections_before, "more intersections than before");
+      remark(euler_characteristic(mesh) != characteristic, "another topology");
+      // those at degenerate faces are no corners after the repair
+      remark(lost > 0 && report.number_of_degenerate_input_faces == 0, "lost corners");
+      remark(report.smallest_quality < 0.1, "smallest quality below 0.1");
     }
     catch(const std::exception& error)
     {
-      std::cout << name << ",refused: " << error.what() << std::endl;
-      ++refused;
+      remarks[std::string("refused, ") + error.what()].push_back(name);
     }
   }
-  std::cout << deviations.size() << " remeshed, " << refused << " refused, " << timed_out << " over the time limit; "
-            << newly_intersecting << " newly intersecting, " << topology_changed << " with another topology; "
-            << "median deviation " << median(deviations) << ", " << not_met << " above the bound; "
-            << "median smallest quality " << median(qualities) << ", " << flat << " below 0.1; "
-            << seconds << " s in all" << std::endl;
+  std::cerr << qualities.size() << " meshes remeshed in " << seconds << " s\n"
+            << "median of the largest deviations over the diagonal " << median(deviations) << ", " << not_met
+            << " above the bound of " << part << "\n"
+            << "median of the smallest qualities " << median(qualities) << "\n";
+  for(const auto& remark : remarks)
+  {
+    std::cerr << remark.first << ": " << remark.second.size() << " (";
+    for(std::size_t i = 0; i < remark.second.size(); ++i)
+      std::cerr << (i > 0 ? ", " : "") << remark.second[i];
+    std::cerr << ")\n";
+  }
   return EXIT_SUCCESS;
 }

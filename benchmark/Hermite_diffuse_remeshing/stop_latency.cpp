@@ -1,16 +1,22 @@
-// How long a stop request waits: the longest time between two questions to the visitor, per stage, and the time
-// from the answer "stop" to the return, on a mesh of 100000 faces or on the file that is given.
+// How long a stop request waits: the longest time between two questions to the visitor, in every stage and between
+// them, and the time from the answer "stop" to the return, on a mesh of 100000 faces or on the file that is given.
+// All times are of the processor, so that other programs do not count.
+//
+//   stop_latency [FILE [approximation error [part of the diagonal]]]
 
 #include "../../test/Hermite_diffuse_remeshing/analytic_surfaces.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <iostream>
 #include <string>
@@ -19,11 +25,10 @@
 namespace PMP = CGAL::Polygon_mesh_processing;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel     K;
 typedef CGAL::Surface_mesh<K::Point_3>                          Mesh;
-typedef std::chrono::steady_clock                               Clock;
 
-double milliseconds_since(const Clock::time_point begin)
+double milliseconds_since(const std::clock_t begin)
 {
-  return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  return 1e3 * double(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 struct Visitor : public CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<Mesh>
@@ -31,25 +36,30 @@ struct Visitor : public CGAL::Hermite_diffuse_remeshing::Default_remeshing_visit
   std::string stage, stop_stage;
   double stop_after = 0.;                      // milliseconds within the stage
   double longest = 0.;
-  Clock::time_point last = Clock::now(), stage_begin = last;
+  std::clock_t last = std::clock(), stage_begin = last;
 
   void look()
   {
     longest = (std::max)(longest, milliseconds_since(last));
-    last = Clock::now();
+    last = std::clock();
+  }
+  void tell(const std::string& what)
+  {
+    if(stop_stage.empty())
+      std::cout << what << ": " << milliseconds_since(stage_begin) << " ms, longest silence " << longest << " ms" << std::endl;
+    longest = 0.;
+    stage_begin = last;
   }
   void stage_begins(const char* name)
   {
     look();
+    tell("before " + std::string(name));
     stage = name;
-    stage_begin = last;
-    longest = 0.;
   }
-  void stage_ends(const char*)
+  void stage_ends(const char* name)
   {
     look();
-    if(stop_stage.empty())
-      std::cout << stage << ": " << milliseconds_since(stage_begin) << " ms, longest silence " << longest << " ms" << std::endl;
+    tell(name);
   }
   bool is_stop_requested()
   {
@@ -76,12 +86,19 @@ int main(int argc, char** argv)
     PMP::polygon_soup_to_polygon_mesh(points, torus.faces, input);
   }
   std::cout << input.number_of_faces() << " faces\n";
-  // as many faces as the input has, and a deviation that takes some rounds
-  const auto parameters = [](Visitor& visitor)
-  { return CGAL::parameters::approximation_error(0.0005).maximum_deviation(1e-5).visitor(std::ref(visitor)); };
+  const double error = argc > 2 ? std::atof(argv[2]) : 0.0005;
+  const CGAL::Bbox_3 box = PMP::bbox(input);
+  const double deviation = (argc > 3 ? std::atof(argv[3]) : 1e-5)
+                         * std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
+  const auto parameters = [=](Visitor& visitor)
+  { return CGAL::parameters::approximation_error(error).maximum_deviation(deviation).visitor(std::ref(visitor)); };
   Visitor watching;
   Mesh mesh = input;
-  PMP::hermite_diffuse_remesh(mesh, parameters(watching));
+  const auto report = PMP::hermite_diffuse_remesh(mesh, parameters(watching));
+  watching.look();
+  watching.tell("after the last stage");
+  std::cout << report.number_of_faces << " faces, " << report.number_of_deviation_rounds << " rounds" << std::endl;
+  double longest = 0.;
   for(const char* const stage : {"model", "size map", "adaptation", "optimisation", "deviation"})
     for(const double after : {0., 20., 50.})
     {
@@ -90,8 +107,10 @@ int main(int argc, char** argv)
       visitor.stop_stage = stage;
       visitor.stop_after = after;
       PMP::hermite_diffuse_remesh(mesh, parameters(visitor));
+      longest = (std::max)(longest, milliseconds_since(visitor.last));
       std::cout << "stopped in " << stage << " after " << after << " ms: returned " << milliseconds_since(visitor.last)
                 << " ms later" << std::endl;
     }
+  std::cout << "longest from the answer to the return: " << longest << " ms" << std::endl;
   return 0;
 }

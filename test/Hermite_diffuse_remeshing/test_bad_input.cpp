@@ -65,6 +65,27 @@ Surface_mesh mesh_with_pinched_vertex()
   return mesh;
 }
 
+// a face that begins and ends an edge at the same vertex
+Surface_mesh mesh_with_repeated_corner()
+{
+  Surface_mesh mesh = tetrahedron();
+  const Surface_mesh::Vertex_index kept(0), gone(1);
+  for(const auto h : mesh.halfedges())
+    if(mesh.target(h) == gone)
+      mesh.set_target(h, kept);
+  mesh.remove_vertex(gone);
+  return mesh;
+}
+
+// An ear that touches other faces in its tip, where a collapse of its short side would be wanted.
+Surface_mesh mesh_with_touching_ear()
+{
+  const analytic::Triangles t = {{{{0., 0., 0.}}, {{1., 0., 0.}}, {{0.5, 0.9, 0.}}, {{0.95, 0.1, 0.}}, {{1.8, 0.6, 0.}},
+                                  {{1.8, -0.6, 0.}}},
+                                 {{{0, 3, 2}}, {{0, 1, 3}}, {{1, 5, 4}}}};
+  return make_mesh<Surface_mesh>(t);
+}
+
 Surface_mesh grid(const int n, const double height)
 {
   analytic::Triangles t;
@@ -107,7 +128,12 @@ void test_refusals()
 {
   expect_refusal(mesh_with_double_edge(), params::default_values(), "edges between vertices");
   expect_refusal(mesh_with_pinched_vertex(), params::default_values(), "fans of faces at vertex 0");
-  Surface_mesh flat = grid(3, 0.);
+  expect_refusal(mesh_with_repeated_corner(), params::default_values(), "repeated, at vertex 0");
+  Surface_mesh flat = tetrahedron();
+  for(const auto v : flat.vertices())
+    flat.point(v) = Point_3(flat.point(v).x() + 2. * flat.point(v).y(), 0., 0.);
+  expect_refusal(flat, params::default_values(), "degenerate");
+  flat = grid(3, 0.);
   for(const auto v : flat.vertices())
     flat.point(v) = Point_3(flat.point(v).x() + flat.point(v).y(), 0., 0.);
   expect_refusal(flat, params::default_values(), "degenerate");
@@ -189,6 +215,14 @@ void test_accepted_as_they_are()
   report = PMP::hermite_diffuse_remesh(mesh);
   assert(report.number_of_coincident_vertices == 5);
   assert(number_of_border_loops(mesh) == 2);
+
+  // an ear keeps the other faces at its tip
+  mesh = mesh_with_touching_ear();
+  Surface_mesh ear = mesh;
+  PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).maximum_edge_length(3.).apex_angular_defect(180.)
+                                      .corner_angle(180.));
+  assert(CGAL::is_valid_polygon_mesh(mesh) && euler_characteristic(mesh) == euler_characteristic(ear));
+  assert(number_of_border_loops(mesh) == number_of_border_loops(ear));
 
   // components of very different sizes, closed and open
   mesh = tetrahedron(1e-6, 5.);

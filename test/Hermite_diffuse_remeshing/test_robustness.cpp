@@ -96,7 +96,7 @@ struct Counting_visitor
   typedef typename Base::face_descriptor face_descriptor;
 
   const Mesh& mesh;
-  long questions = 0, last_question = -1;
+  long questions = 0, last_question = -1, throwing_question = -1;
   long hooks = 0, last_hook = -1;
   bool is_stopped = false;
   int open_stages = 0;
@@ -122,6 +122,8 @@ struct Counting_visitor
   bool is_stop_requested()
   {
     assert(!is_stopped);
+    if(questions == throwing_question)
+      throw Hook_exception();
     is_stopped = questions++ == last_question;
     return is_stopped;
   }
@@ -172,7 +174,10 @@ void test_stops_and_exceptions(const int number_of_moments)
   {
     Mesh mesh = input;
     Counting_visitor<Mesh> visitor(mesh);
-    visitor.last_hook = long(random(0., double(counter.hooks)));
+    if(i % 5 == 0)
+      visitor.throwing_question = long(random(0., double(counter.questions)));
+    else
+      visitor.last_hook = long(random(0., double(counter.hooks)));
     bool is_thrown = false;
     try { PMP::hermite_diffuse_remesh(mesh, parameters_of_tent().visitor(std::ref(visitor))); }
     catch(const Hook_exception&) { is_thrown = true; }

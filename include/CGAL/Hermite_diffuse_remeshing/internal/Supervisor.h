@@ -15,6 +15,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -76,7 +77,8 @@ public:
   {
     if(!m_is_stopped)
     {
-      m_is_out_of_time = seconds_since(m_begin) > m_maximum_running_time;
+      // a look at the clock costs as much as a small operation
+      m_is_out_of_time = std::isfinite(m_maximum_running_time) && seconds_since(m_begin) > m_maximum_running_time;
       m_is_stopped = m_is_out_of_time || m_visitor.is_stop_requested();
     }
     return m_is_stopped;

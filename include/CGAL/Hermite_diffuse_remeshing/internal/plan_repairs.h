@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/classify_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/is_collapse_manifold.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -251,7 +252,7 @@ private:
       for(const Halfedge_index g : CGAL::halfedges_around_target(s, m_mesh))
         if(is_feature(g))
           return false;
-    if(!CGAL::Euler::does_satisfy_link_condition(m_mesh.edge(h), m_mesh))
+    if(!is_collapse_manifold(h, m_mesh))
       return false;
     m_repairs.push_back({Repair::COLLAPSE, int(s), int(m_mesh.target(h))});
 

@@ -61,14 +61,13 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
     watched.stage("model", [&] { model = make_model(); })
     && watched.stage("size map", [&]
        { sizes = make_size_map(*model, options.sizes, marks, options.maximum_number_of_faces,
-                               [&](const int f) { return is_remeshed[f] != 0; }, watched.progress_of_stage()); });
+                               [&](const int f) { return is_remeshed[f] != 0; }, watched.progress_of_stage());
+         describe_preparation(*model, *sizes, is_remeshed, report); });
   if(!is_prepared)
   {
     report.stop_reason = watched.stop_reason();
     return;
   }
-  describe_preparation(*model, *sizes, is_remeshed, report);
-
   begin_changes();
   const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves, model->surface,
                             model->locator, *sizes};

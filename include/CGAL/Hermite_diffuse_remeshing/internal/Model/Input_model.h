@@ -46,7 +46,7 @@ struct Input_model
     : edges(triangles)
     , edge_classes(classify_edges(triangles, edges, features.sharp_angle, edge_mark))
     , surface(make_surface(triangles, features, options, is_vertex_constrained, vertex_normals, progress))
-    , locator(surface)
+    , locator(surface, progress.part(before_search_tree, 1.))
   {}
 
   // gives up what only a remeshing needs, a third of the memory
@@ -62,18 +62,21 @@ struct Input_model
   Input_model& operator=(const Input_model&) = delete;
 
 private:
+  // rough parts of the time that the steps take
+  static constexpr double before_cut = 0.1, before_curves = 0.15, before_fit = 0.2, before_search_tree = 0.8;
+
   template <typename IsVertexConstrained>
   Reference_surface make_surface(const Indexed_triangles& triangles, const Feature_options& features,
                                  const Model_options& options, const IsVertexConstrained& is_vertex_constrained,
                                  const std::vector<Vector>& vertex_normals, const Progress& progress)
   {
-    // rough parts of the time that the steps take
-    constexpr double before_cut = 0.1, before_fit = 0.2, before_search_tree = 0.8;
     progress(before_cut);
     Cut_mesh cut_mesh(triangles, edges, edge_classes);
+    progress(before_curves);
     vertex_classes = classify_vertices(triangles, edges, edge_classes, cut_mesh, features.corner_angle,
                                        features.apex_defect, is_vertex_constrained);
     curves = chain_feature_edges(triangles, edges, edge_classes, vertex_classes);
+    progress(before_fit);
     return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options, vertex_normals,
                              progress.part(before_fit, before_search_tree));
   }

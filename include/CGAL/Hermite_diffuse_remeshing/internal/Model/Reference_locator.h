@@ -28,8 +28,8 @@ class Reference_locator
   Triangle_tree m_tree;
 
 public:
-  explicit Reference_locator(const Reference_surface& surface)
-    : m_surface(surface), m_tree(surface.triangles())
+  explicit Reference_locator(const Reference_surface& surface, const Progress& progress = Progress())
+    : m_surface(surface), m_tree(surface.triangles(), progress)
   {}
 
   // closest point of all facets

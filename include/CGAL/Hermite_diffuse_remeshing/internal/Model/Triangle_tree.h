@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TRIANGLE_TREE_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/closest_barycentric.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -44,7 +45,7 @@ class Triangle_tree
   Tree m_tree;
 
 public:
-  Triangle_tree(const Indexed_triangles& triangles, std::vector<int> faces)
+  Triangle_tree(const Indexed_triangles& triangles, std::vector<int> faces, const Progress& progress = Progress())
     : m_triangles(&triangles), m_faces(std::move(faces))
   {
     std::vector<Point_3> centers;
@@ -53,11 +54,13 @@ public:
       const Vector c = (triangles.point(f, 0) + triangles.point(f, 1) + triangles.point(f, 2)) / 3.;
       centers.push_back(Point_3(c[0], c[1], c[2]));
     }
+    progress(0.2);
     std::vector<std::size_t> order(m_faces.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     typedef Spatial_sort_traits_adapter_3<CGAL::Simple_cartesian<double>,
                                           Pointer_property_map<Point_3>::const_type> Order_traits;
     hilbert_sort(order.begin(), order.end(), Order_traits(make_property_map(std::as_const(centers))));
+    progress(0.5);
     std::vector<int> sorted;
     sorted.reserve(order.size());
     for(const std::size_t i : order)
@@ -70,11 +73,12 @@ public:
     for(std::size_t i = 0; i < m_faces.size(); ++i)
       for(int k = 0; k < 3; ++k)
         boxes[i / group_size].extend(triangles.point(m_faces[i], k));
+    progress(0.7);
     m_tree.init(groups.begin(), groups.end(), boxes.begin(), boxes.end());
   }
 
-  explicit Triangle_tree(const Indexed_triangles& triangles)
-    : Triangle_tree(triangles, all_faces(triangles))
+  explicit Triangle_tree(const Indexed_triangles& triangles, const Progress& progress = Progress())
+    : Triangle_tree(triangles, all_faces(triangles), progress)
   {}
 
   // face and point

@@ -73,7 +73,7 @@ public:
   // The limit of the slope from above to below is that from below to above of what is missing to the largest length.
   template <typename PointOfIndex>
   void raise(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
-             std::vector<double>& sizes) const
+             std::vector<double>& sizes, const Progress& progress) const
   {
     // the largest gradation that can be asked for
     constexpr double steepest_gradation = 2.;
@@ -85,7 +85,7 @@ public:
     for(std::size_t i = 0; i < m_samples.size(); ++i)
       if(m_samples[i].number > 0)
         missing[i] = largest - m_samples[i].mean();
-    limit_gradation(triangles, point, slope_of_gradation(steepest_gradation), missing);
+    limit_gradation(triangles, point, slope_of_gradation(steepest_gradation), missing, progress);
     for(std::size_t i = 0; i < sizes.size(); ++i)
       sizes[i] = (std::max)(sizes[i], largest - missing[i]);
   }

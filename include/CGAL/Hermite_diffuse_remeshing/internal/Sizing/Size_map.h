@@ -86,6 +86,7 @@ public:
       m_area_ratios.push_back(m_sources.area_ratio(f));
     sample_vertices(surface, curves);
     sample_strips(edges, curves);
+    progress(0.);
     for(std::size_t e = 0; e < is_edge_frozen.size(); ++e)
       if(is_edge_frozen[e])
       {
@@ -164,11 +165,15 @@ public:
     // a number of faces that is this close is met
     constexpr double tolerance = 0.002;
     constexpr int maximum_number_of_steps = 100;
+    // a smaller one, relative to the number, is rounding: the lengths of frozen edges rule
+    constexpr double least_decrease = 1e-6;
+    double last_number = std::numeric_limits<double>::infinity();
     for(int step = 0; step < maximum_number_of_steps; ++step, m_progress(0.))
     {
       const double number = number_of_faces(is_selected);
-      if(!(number > (1. + tolerance) * limit))
+      if(!(number > (1. + tolerance) * limit) || !(number < (1. - least_decrease) * last_number))
         return;
+      last_number = number;
       m_scale *= std::sqrt(number / limit);
       grade();
     }
@@ -194,12 +199,13 @@ private:
       for(int c = 0; c < 3 * triangles.number_of_faces(); ++c)
       {
         const int v = triangles.triangles[c / 3][c % 3];
+        m_progress(0.);
         if(!is_done[v] || m_sources.options().is_user_size_local)
           lower_user_size(v, m_sources.of_user(triangles.points[v], Size_sources::location_of_corner(c)));
         is_done[v] = true;
       }
     }
-    for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i)
+    for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i, m_progress(0.))
       if(!surface.node(i).is_singular)
         lower(surface.cut_mesh().vertex(i), m_sources.of_node(i));
     for(const Feature_curve& curve : curves.curves)
@@ -213,7 +219,10 @@ private:
     for(const Feature_curve& curve : curves.curves)
       for(const int e : curve.edges)
         for(const int v : edges.vertices(e))
+        {
+          m_progress(0.);
           sizes.push_back(std::make_pair(v, m_curve_sizes.size_in_strip(m_samples[v].position, e, m_samples[v].own_size)));
+        }
     for(const std::pair<int, double>& size : sizes)
       lower(size.first, size.second);
   }
@@ -375,6 +384,7 @@ private:
 
   void grade()
   {
+    m_progress(0.);
     m_is_sample_lowered = false;
     m_sizes.resize(m_samples.size());
     for(std::size_t i = 0; i < m_samples.size(); ++i)
@@ -393,7 +403,7 @@ private:
     const auto position = [this](const int i) -> const Vector& { return m_samples[i].position; };
     limit_gradation(leaves, position, slope_of_gradation(m_sources.options().gradation), m_sizes, m_progress);
     if(!m_frozen.is_empty())
-      m_frozen.raise(leaves, position, m_sizes);
+      m_frozen.raise(leaves, position, m_sizes, m_progress);
   }
 };
 

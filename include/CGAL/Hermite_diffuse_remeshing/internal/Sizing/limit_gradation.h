@@ -69,6 +69,7 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
 {
   // in slivers rounding would lower a size again and again by its last digit
   constexpr double least_gain = 1e-9;
+  progress(0.);
   std::vector<int> first(sizes.size() + 1, 0);
   for(const std::array<int, 3>& triangle : triangles)
     for(const int i : triangle)
@@ -80,6 +81,7 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
     for(const int i : triangles[f])
       incident[next_free[i]++] = static_cast<int>(f);
 
+  progress(0.);
   typedef std::pair<double, int> Entry;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
   for(std::size_t i = 0; i < sizes.size(); ++i)

@@ -127,6 +127,7 @@ public:
         add_new_face(f);
         continue;
       }
+      m_mesh.give_up_if_stopped();
       const int i = get(old_index, f);
       new_index[i] = static_cast<int>(m_deviations.faces.size());
       put(m_index, f, new_index[i]);
@@ -149,6 +150,8 @@ private:
     const Indexed_triangles& triangles = reference.surface.triangles();
     std::vector<char> is_done(triangles.number_of_vertices(), false);
     for(int f = 0; f < triangles.number_of_faces(); ++f)
+    {
+      m_mesh.give_up_if_stopped();
       for(int k = 0; k < 3 && m_mesh.is_reference_face_remeshed(f); ++k)
       {
         const int v = triangles.triangles[f][k];
@@ -156,11 +159,13 @@ private:
           m_targets.push_back({triangles.points[v], reference.vertex_site(f, k).location});
         is_done[v] = true;
       }
+    }
     for(std::size_t c = 0; c < reference.curves.curves.size(); ++c)
     {
       const Feature_spline& spline = reference.curves.curves[c].spline;
       for(int i = 0; i < spline.number_of_segments(); ++i)
       {
+        m_mesh.give_up_if_stopped();
         const Site site =
           reference.curve_site(static_cast<int>(c), (spline.parameter(i) + spline.parameter(i + 1)) / 2.);
         if(m_mesh.is_reference_face_remeshed(site.location.face))
@@ -171,6 +176,7 @@ private:
 
   void add_new_face(const face_descriptor f)
   {
+    m_mesh.give_up_if_stopped();
     put(m_index, f, static_cast<int>(m_deviations.faces.size()));
     Face_deviation<face_descriptor> entry;
     entry.face = f;
@@ -311,7 +317,7 @@ private:
     }
     if(index_of_facet.empty())
       return;
-    const Triangle_tree tree(facets);
+    const Triangle_tree tree(facets, Progress([this](double) { return !m_mesh.is_stopped(); }));
     for(Target& target : m_targets)
     {
       if(target.face != -1)

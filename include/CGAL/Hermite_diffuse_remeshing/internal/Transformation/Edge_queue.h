@@ -54,8 +54,11 @@ collect_edges(const Working_mesh<UserMesh>& mesh, const int direction, const IsC
 {
   typedef Working_mesh<UserMesh> Mesh;
   std::vector<Queued_edge<Mesh> > queue;
+  std::size_t step = 0;
   for(const typename Mesh::edge_descriptor e : edges(mesh.tmesh()))
   {
+    if(mesh.is_stopped_at(step++))
+      return std::vector<Queued_edge<Mesh> >();
     if(!mesh.is_inside(e))
       continue;
     const typename Mesh::halfedge_descriptor h = halfedge(e, mesh.tmesh());

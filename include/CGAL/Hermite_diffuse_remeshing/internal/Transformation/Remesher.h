@@ -45,6 +45,8 @@ class Remesher
   static constexpr double band_center = 1.035;
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
   static constexpr double negligible_part = 5e-4;
+  // of the faces: where fewer changes are made in a pass, faces are still near where they were at its beginning
+  static constexpr double considerable_part = 0.02;
   // of the faces that have changed, where only a part of the mesh is adapted again
   static constexpr double negligible_part_of_changed = 0.01;
   // triangles with a better score are not worth a search
@@ -116,7 +118,8 @@ private:
       changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
       changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_VALENCE, since); });
       since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
-      update_hints();
+      if(changes > considerable_part * m_mesh.number_of_faces())
+        update_hints();
       m_mesh.report_progress(double(i + 1 - first_iteration) / m_maximum_number_of_iterations);
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;
@@ -137,7 +140,6 @@ public:
         since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_SCORE, since); });
       changes += since_last(m_improved_at, [&](const std::size_t since)
                             { return improve_vertices(m_mesh, since); });
-      update_hints();
       m_mesh.report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;

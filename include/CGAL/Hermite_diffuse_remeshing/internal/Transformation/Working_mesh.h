@@ -58,7 +58,6 @@ private:
 
   std::size_t m_maximum_number_of_faces;
   Operation_counts m_counts;
-  bool m_is_stopped = false;
 
 public:
   using Base::tmesh;
@@ -95,17 +94,17 @@ public:
   const Operation_counts& counts() const { return m_counts; }
 
   // \name Control
-  bool is_stopped()
+  bool is_stopped() const { return m_user.visitor.is_stop_requested(); }
+  // in loops with steps that are shorter than the question
+  bool is_stopped_at(const std::size_t step) const
   {
-    if(!m_is_stopped && m_user.visitor.is_stop_requested())
-      m_is_stopped = true;
-    return m_is_stopped;
+    constexpr std::size_t steps_per_question = 64;
+    return step % steps_per_question == 0 && is_stopped();
   }
-  bool is_stopped() const { return m_is_stopped; }
   // for what only reads the mesh
   void give_up_if_stopped() const
   {
-    if(m_is_stopped || m_user.visitor.is_stop_requested())
+    if(is_stopped())
       throw Interrupted();
   }
   bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }

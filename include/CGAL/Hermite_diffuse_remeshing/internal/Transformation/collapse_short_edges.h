@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/is_collapse_manifold.h>
 
 #include <boost/container/static_vector.hpp>
 
@@ -64,7 +65,7 @@ bool is_collapse_topologically_legal(const Working_mesh<UserMesh>& mesh,
     for(const auto side : {prev(sibling, tm), next(opposite(sibling, tm), tm)})
       if(mesh.is_on_curve(side) && mesh.data(s).type == CURVE_VERTEX && !CGAL::is_border(side, tm))
         return false;
-    if(!CGAL::Euler::does_satisfy_link_condition(edge(sibling, tm), tm) || does_collapse_make_junction(mesh, sibling))
+    if(!is_collapse_manifold(sibling, tm) || does_collapse_make_junction(mesh, sibling))
       return false;
   }
   return true;

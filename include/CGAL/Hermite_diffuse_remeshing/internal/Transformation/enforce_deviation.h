@@ -44,6 +44,7 @@ bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviation
   {
     if(entry.deviation <= maximum_deviation)
       continue;
+    mesh.give_up_if_stopped();
     double longest = 0.;
     for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
       longest = (std::max)(longest, mesh.length(h));

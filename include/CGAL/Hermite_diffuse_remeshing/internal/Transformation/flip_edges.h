@@ -139,7 +139,13 @@ bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_me
   const int gain = criterion == BY_VALENCE ? valence_gain(mesh, h) : 0;
   if(gain < 0)
     return false;
-  const Worth before = worth_of_pair(mesh, h), after = worth_after_flip(mesh, h);
+  const Worth before = worth_of_pair(mesh, h);
+  // The quality of the halves of a square, for both of its diagonals: two triangles that are both better than these
+  // have no better diagonal.
+  constexpr double quality_of_square = 0.7175;
+  if(gain == 0 && before.score > quality_of_square)
+    return false;
+  const Worth after = worth_after_flip(mesh, h);
   // triangles worse than this would hinder the relocation
   constexpr double least_score_of_flip = 0.4;
   return (gain > 0 ? is_score_acceptable(after.score, before.score, least_score_of_flip) : is_better(after, before))

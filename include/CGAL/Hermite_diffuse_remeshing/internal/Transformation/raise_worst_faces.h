@@ -70,6 +70,8 @@ class Worst_face_hunt
   static constexpr double longest_length = 2., shortest_length_to_split = 1.;
   // per face that is bad at first; one that can be helped is after a few tries
   static constexpr std::size_t maximum_number_of_tries = 20;
+  // per face of the mesh: where nearly all are bad, in a sliver of a surface, most tries are in vain
+  static constexpr std::size_t maximum_number_of_tries_of_mesh = 3;
   // A vertex of a long protected edge may have hundreds of faces, all of them bad: what looks at pairs of its
   // edges is not tried there.
   static constexpr std::size_t largest_degree = 24;
@@ -80,11 +82,17 @@ public:
   // returns the number of operations
   std::size_t run(const std::size_t since)
   {
+    std::size_t step = 0;
     for(const face_descriptor f : faces(m_mesh.tmesh()))
+    {
+      if(m_mesh.is_stopped_at(step++))
+        return 0;
       if(m_mesh.is_remeshed(f) && m_mesh.has_changed(f, since))
         push(halfedge(f, m_mesh.tmesh()));
+    }
     std::size_t number = 0;
-    const std::size_t last_try = maximum_number_of_tries * m_queue.size();
+    const std::size_t last_try = (std::min)(maximum_number_of_tries * m_queue.size(),
+                                            maximum_number_of_tries_of_mesh * m_mesh.number_of_faces());
     for(std::size_t i = 0; i < last_try && !m_queue.empty() && !m_mesh.is_stopped(); ++i)
     {
       const Entry entry = *m_queue.begin();

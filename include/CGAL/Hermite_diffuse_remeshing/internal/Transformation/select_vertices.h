@@ -51,10 +51,15 @@ movable_vertices(const Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
   std::vector<std::pair<int, vertex_descriptor> > numbered;
+  std::size_t step = 0;
   for(const vertex_descriptor v : vertices(mesh.tmesh()))
+  {
+    if(mesh.is_stopped_at(step++))
+      return std::vector<vertex_descriptor>();
     if(mesh.index(v) != -1 && mesh.has_changed(v, since) && !mesh.is_fixed(v)
        && first_remeshed_halfedge(mesh, v) != Working_mesh<UserMesh>::Graph_traits::null_halfedge())
       numbered.push_back(std::make_pair(mesh.index(v), v));
+  }
   // one of the copies of a vertex stands for all
   std::stable_sort(numbered.begin(), numbered.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
