@@ -76,7 +76,8 @@ private:
     for(const int j : m_neighborhood.neighbors())
     {
       const Vector x = frame.local(m_surface.node(j).position);
-      const double weight = 1. / (x.squaredNorm() + weight_floor);
+      const double weight = m_neighborhood.agreement_with(frame.z_axis, j, m_surface.node(j).normal)
+                          / (x.squaredNorm() + weight_floor);
       total_weight += weight;
       double p, q;
       if(frame.slopes_of_normal(m_surface.node(j).normal, p, q))
