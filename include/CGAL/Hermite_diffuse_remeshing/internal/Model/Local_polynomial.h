@@ -94,8 +94,9 @@ private:
   static constexpr Moment_table<Degree> table = Moment_table<Degree>();
   static constexpr int size_of_slopes = number_of_monomials(Degree - 1);
 
+  // An even number of values fills the vector registers. One that is added has any value and is not read.
   template <int Size>
-  using Values = Eigen::Array<double, Size, 1>;
+  using Values = Eigen::Array<double, (Size + 1) / 2 * 2, 1>;
   typedef Values<number_of_monomials(2 * Degree)> Monomials;
   typedef Values<number_of_monomials(2 * Degree - 2)> Slope_monomials;
 
@@ -262,6 +263,7 @@ private:
   {
     Monomials m;
     m[0] = 1.;
+    m[Monomials::SizeAtCompileTime - 1] = 0.;
     add_monomials<1>(x, y, m);
     return m;
   }
@@ -279,23 +281,29 @@ private:
     }
   }
 
+  template <typename Sums>
+  static void add(const double weight, const Monomials& m, Sums& sums)
+  {
+    sums += weight * m.template head<Sums::SizeAtCompileTime>();
+  }
+
   void add_positions(const Monomials& m, const double z, const double weight)
   {
-    m_moments += weight * m;
-    m_z += (weight * z) * m.template head<size>();
+    add(weight, m, m_moments);
+    add(weight * z, m, m_z);
   }
 
   void add_slopes(const Monomials& m, const double p, const double q, const double weight)
   {
-    m_slope_moments += weight * m.template head<Slope_monomials::SizeAtCompileTime>();
-    m_p += (weight * p) * m.template head<size_of_slopes>();
-    m_q += (weight * q) * m.template head<size_of_slopes>();
+    add(weight, m, m_slope_moments);
+    add(weight * p, m, m_p);
+    add(weight * q, m, m_q);
   }
 
   void add_combined(const Monomials& m, const double rhs, const double weight)
   {
-    m_combined_moments += weight * m;
-    m_combined_z += (weight * rhs) * m.template head<size>();
+    add(weight, m, m_combined_moments);
+    add(weight * rhs, m, m_combined_z);
   }
 };
 

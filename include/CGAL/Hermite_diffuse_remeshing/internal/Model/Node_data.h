@@ -79,7 +79,7 @@ inline std::vector<Node> make_nodes(const Indexed_triangles& surface,
   return nodes;
 }
 
-// What a node says of a place near an apex, by the cosine of the angle between their normals. Around the tip of
+// How much a node tells of another place, by the cosine of the angle between the normals. Around the tip of
 // a cone a few nodes turn by the whole circle, and no polynomial over all of them is near the surface; those
 // of the same side, farther from the tip, tell more. Measured on cones of half angles of 22 to 59
 // degrees, normals next to the tip are twice as accurate as without, those of exponent 4 lie in between.

@@ -106,11 +106,8 @@ public:
   const std::vector<int>& neighbors() const { return m_neighbors; }
   int size() const { return static_cast<int>(m_neighbors.size()); }
 
-  // the part of the weight of neighbour j that is left to it, `normal` being that of the middle
-  double agreement_with(const Vector& normal, const int j, const Vector& normal_of_j) const
-  {
-    return m_has_apex && !m_nodes[j].is_singular ? agreement(normal.dot(normal_of_j)) : 1.;
-  }
+  // a neighbour is singular
+  bool has_apex() const { return m_has_apex; }
 
 private:
   void add_ring_of(const int node)

@@ -121,8 +121,9 @@ private:
     {
       if(m_nodes[j].is_singular)
         continue;
-      const double weight = m_neighborhood.agreement_with(normal, j, m_max_normals[j]);
-      turn += weight * (1. - normal.dot(m_max_normals[j]));
+      const double cosine = normal.dot(m_max_normals[j]);
+      const double weight = m_neighborhood.has_apex() ? agreement(cosine) : 1.;
+      turn += weight * (1. - cosine);
       weights += weight;
     }
     return weights > 0. ? turn / weights : 0.;
@@ -131,7 +132,9 @@ private:
   // of the position of neighbour j, which is x in the frame
   double weight(const Node_frame& frame, const int j, const Vector& x) const
   {
-    return m_neighborhood.agreement_with(frame.z_axis, j, m_max_normals[j]) / (x.squaredNorm() + weight_floor);
+    const double weight = 1. / (x.squaredNorm() + weight_floor);
+    return m_neighborhood.has_apex() && !m_nodes[j].is_singular
+         ? weight * agreement(frame.z_axis.dot(m_max_normals[j])) : weight;
   }
 
   template <int Degree>
