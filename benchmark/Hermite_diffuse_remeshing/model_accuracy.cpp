@@ -1,18 +1,24 @@
-// Accuracy and speed of the Hermite diffuse model on irregular meshes of known surfaces, against
-// jets and, where CGAL has them, interpolated corrected curvatures.
+// Accuracy, speed and memory of the Hermite diffuse model on irregular meshes of known surfaces, against
+// jets and, where CGAL has them, interpolated corrected curvatures. Times are those of the processor, in one
+// thread, the best of several runs.
 //
 //   model_accuracy [number of faces ...]           default: 2000 8000
 
 #include "../../test/Hermite_diffuse_remeshing/model_measures.h"
 
+#include <CGAL/Hermite_diffuse_surface.h>
 #include <CGAL/Monge_via_jet_fitting.h>
-#include <CGAL/Real_timer.h>
+#include <CGAL/Timer.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #if __has_include(<CGAL/Polygon_mesh_processing/interpolated_corrected_curvatures.h>)
 #include <CGAL/Polygon_mesh_processing/interpolated_corrected_curvatures.h>
 #define HAS_CORRECTED_CURVATURES
+#endif
+
+#ifdef __GLIBC__
+#include <malloc.h>
 #endif
 
 #include <cstdio>
@@ -28,6 +34,7 @@ using analytic::Test_surface;
 using CGAL::Hermite_diffuse_remeshing::SMOOTH_NORMALS;
 
 typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef std::vector<std::pair<double, double> > Curvatures;      // of the nodes, larger first
 
 struct Result
@@ -55,7 +62,35 @@ Model_options smooth_options()
   return options;
 }
 
-// ---- methods: the time includes everything that starts from the triangles
+Mesh make_surface_mesh(const Indexed_triangles& triangles)
+{
+  Mesh mesh;
+  for(const Vector& p : triangles.points)
+    mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
+  for(const auto& t : triangles.triangles)
+    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  return mesh;
+}
+
+// the best of several runs, in microseconds per item
+double time_per_item(const std::size_t number_of_items, const std::function<void()>& work)
+{
+  constexpr int number_of_runs = 5;
+  double best = infinite;
+  for(int run = 0; run < number_of_runs; ++run)
+  {
+    CGAL::Timer timer;
+    timer.start();
+    work();
+    timer.stop();
+    best = (std::min)(best, 1e6 * timer.time() / double(number_of_items));
+  }
+  return best;
+}
+
+// ---- methods: our times include the construction of the model from the triangles, those of jets not the search of
+// the rings
+
 
 Curvatures evaluated(const Indexed_triangles& triangles, const Model_options& options)
 {
@@ -105,13 +140,8 @@ Curvatures jets(const Input_model& model, const std::size_t degree, const int ri
 Curvatures corrected(const Indexed_triangles& triangles, const double radius)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
   typedef PMP::Principal_curvatures_and_directions<Kernel> Principal;
-  Mesh mesh;
-  for(const Vector& p : triangles.points)
-    mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  for(const auto& t : triangles.triangles)
-    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+  Mesh mesh = make_surface_mesh(triangles);
   const auto map = mesh.add_property_map<Mesh::Vertex_index, Principal>("v:principal").first;
   const auto np = CGAL::parameters::vertex_principal_curvatures_and_directions_map(map);
   if(radius > 0.)
@@ -131,12 +161,9 @@ Curvatures corrected(const Indexed_triangles& triangles, const double radius)
 Result run(const Input_model& model, const Test_surface& surface, const bool is_by_vertex,
            const std::function<Curvatures()>& method)
 {
-  CGAL::Real_timer timer;
-  timer.start();
-  const Curvatures curvatures = method();
-  timer.stop();
   Result result;
-  result.microseconds = 1e6 * timer.time() / curvatures.size();
+  Curvatures curvatures;
+  result.microseconds = time_per_item(model.surface.nodes().size(), [&] { curvatures = method(); });
   measure_curvature(model, surface, [&](const int i)
                     { return curvatures[is_by_vertex ? model.surface.cut_mesh().vertex(i) : i]; }, result.accuracy);
   return result;
@@ -166,7 +193,7 @@ void print(const std::string& name, const Results& results)
 {
   std::printf("%s\n", name.c_str());
   for(const auto& r : results)
-    std::printf("  %-18s median %.2e  95%% %.2e  max %.2e   %6.2f us\n", r.first.c_str(),
+    std::printf("  %-18s median %.2e  95%% %.2e  max %.2e   %6.2f us per vertex\n", r.first.c_str(),
                 r.second.accuracy.curvature_median, r.second.accuracy.curvature_p95,
                 r.second.accuracy.curvature_max, r.second.microseconds);
 }
@@ -230,19 +257,16 @@ void print_noise(const int number_of_faces)
   }
 }
 
-// the best of several runs, in microseconds per item
-double time_per_item(const int number_of_items, const std::function<void()>& work)
+// what the program has allocated, or 0 where the system does not tell
+double bytes_in_use()
 {
-  double best = infinite;
-  for(int run = 0; run < 5; ++run)
-  {
-    CGAL::Real_timer timer;
-    timer.start();
-    work();
-    timer.stop();
-    best = (std::min)(best, 1e6 * timer.time() / number_of_items);
-  }
-  return best;
+#if defined(__GLIBC__) && defined(__GLIBC_PREREQ)
+#if __GLIBC_PREREQ(2, 33)
+  const struct mallinfo2 info = mallinfo2();
+  return double(info.uordblks) + double(info.hblkhd);
+#endif
+#endif
+  return 0.;
 }
 
 void print_speed(const int number_of_faces)
@@ -250,8 +274,13 @@ void print_speed(const int number_of_faces)
   const Indexed_triangles triangles = indexed(analytic::torus().mesh(number_of_faces, 1));
   const int n = triangles.number_of_faces();
   std::printf("\nSpeed in one thread, torus of %d faces\n", n);
-  std::printf("construction            %6.2f us per face\n", time_per_item(n, [&] { make_model(triangles); }));
-  double sum = 0.;
+  typedef CGAL::Hermite_diffuse_surface<Mesh> Surface;
+  const Mesh mesh = make_surface_mesh(triangles);
+  std::printf("construction            %6.2f us per face\n", time_per_item(n, [&] { Surface surface(mesh); }));
+  const double before = bytes_in_use();
+  const Surface surface(mesh);
+  std::printf("memory                  %6.0f bytes per face\n", (bytes_in_use() - before) / n);
+  double sum = surface.point({*mesh.faces().begin(), {{1., 0., 0.}}}).x();
   std::vector<Location> locations;
   analytic::Random random(1);
   for(int f = 0; f < n; ++f)

@@ -3,8 +3,11 @@
 
 #include "model_measures.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <iostream>
+#include <utility>
 
 using namespace measures;
 using CGAL::Hermite_diffuse_remeshing::MAX_NORMALS;
@@ -48,65 +51,168 @@ void test_coarse_meshes()
   assert(ok);
 }
 
-// the tip of a cone is a node without a normal, and its faces are closer than facets all the same
+bool is_at_least(const std::string& what, const double value, const double bound)
+{
+  if(!(value >= bound))
+    std::cerr << what << ": " << value << " is below " << bound << std::endl;
+  return value >= bound;
+}
+
+// z = 1 - slope * r over a square, with its tip
+struct Cone
+{
+  double slope;
+
+  analytic::Point operator()(const double x, const double y) const { return {{x, y, 1. - slope * std::hypot(x, y)}}; }
+
+  double distance(const Vector& p) const
+  { return (p - vector(analytic::detail::cone_truth(point(p), 1. / slope, -1. / slope).point)).norm(); }
+
+  // the curvature across the rulings
+  double curvature(const Vector& p) const
+  { return -slope / std::sqrt(1. + slope * slope) / std::hypot(p[0], p[1]); }
+
+  // and the number of the tip
+  std::pair<analytic::Triangles, int> mesh(const int seed) const
+  {
+    const analytic::Test_surface surface = analytic::graph("", 1., 1., 1., [=](const double x, const double y)
+    { return analytic::detail::Jet{{(*this)(x, y)[2], 0., 0., 0., 0., 0.}}; });
+    analytic::Triangles mesh = surface.mesh(1000, seed);
+    const auto radius = [](const analytic::Point& p) { return std::hypot(p[0], p[1]); };
+    int tip = 0;
+    for(std::size_t i = 0; i < mesh.points.size(); ++i)
+      if(radius(mesh.points[i]) < radius(mesh.points[tip]))
+        tip = int(i);
+    mesh.points[tip] = (*this)(0., 0.);
+    return std::make_pair(mesh, tip);
+  }
+
+  // puts a vertex into every face at the tip: nodes of three neighbours, one of which is the tip
+  void split_faces_at(const int tip, analytic::Triangles& mesh) const
+  {
+    for(std::size_t f = 0, n = mesh.faces.size(); f < n; ++f)
+    {
+      const std::array<std::size_t, 3> t = mesh.faces[f];
+      if(std::count(t.begin(), t.end(), std::size_t(tip)) == 0)
+        continue;
+      const auto mean = [&](const int k)
+      { return (mesh.points[t[0]][k] + mesh.points[t[1]][k] + mesh.points[t[2]][k]) / 3.; };
+      const std::size_t middle = mesh.points.size();
+      mesh.points.push_back((*this)(mean(0), mean(1)));
+      mesh.faces[f] = {{t[0], t[1], middle}};
+      mesh.faces.push_back({{t[1], t[2], middle}});
+      mesh.faces.push_back({{t[2], t[0], middle}});
+    }
+  }
+};
+
+std::unique_ptr<Input_model> make_model_with_apices(const Indexed_triangles& triangles, const Model_options& options)
+{
+  return std::unique_ptr<Input_model>(
+    new Input_model(triangles, Feature_options{infinite, infinite, analytic::pi / 6.}, options,
+                    [](int, int) { return UNMARKED_EDGE; }, [](int) { return false; }));
+}
+
+// The tip of a cone is a node without a normal. Its faces are closer than facets all the same, the surface goes
+// through it and is continuous across the edges to it, also where nodes of reduced degree are around it.
 void test_apices()
 {
-  const double slope = 0.9;
-  const analytic::Test_surface cone = analytic::graph("cone with its tip", 1., 1., 1.,
-                                                      [=](const double x, const double y)
-  { return analytic::detail::Jet{{1. - slope * std::hypot(x, y), 0., 0., 0., 0., 0.}}; });
-  const auto distance = [&](const Vector& p)
-  { return (p - vector(analytic::detail::cone_truth(point(p), 1. / slope, -1. / slope).point)).norm(); };
   bool ok = true;
-  for(const int degree : {2, 3})
-    for(int seed = 1; seed <= 3; ++seed)
-    {
-      analytic::Triangles mesh = cone.mesh(1000, seed);
-      const auto radius = [](const analytic::Point& p) { return std::hypot(p[0], p[1]); };
-      std::size_t tip = 0;
-      for(std::size_t i = 0; i < mesh.points.size(); ++i)
-        if(radius(mesh.points[i]) < radius(mesh.points[tip]))
-          tip = i;
-      mesh.points[tip] = {{0., 0., 1.}};
-      const Indexed_triangles triangles = indexed(mesh);
-      Model_options options;
-      options.degree = degree;
-      const Input_model model(triangles, Feature_options{infinite, infinite, analytic::pi / 6.}, options,
-                              [](int, int) { return UNMARKED_EDGE; }, [](int) { return false; });
-      assert(model.vertex_classes[tip] == CGAL::Hermite_diffuse_remeshing::APEX_VERTEX);
-
-      Root_mean_square position, flat;
-      analytic::Random random(1);
-      for(int f = 0; f < triangles.number_of_faces(); ++f)
-        for(int k = 0; k < 3; ++k)
+  for(const double slope : {0.6, 0.9, 1.5, 2.5})
+    for(const int degree : {2, 3})
+      for(const bool is_split : {false, true})
+      {
+        const Cone cone = {slope};
+        Root_mean_square position, flat;
+        for(int seed = 1; seed <= 3; ++seed)
         {
-          if(triangles.triangles[f][k] != int(tip))
-            continue;
-          for(int n = 0; n < 50; ++n)
-          {
-            const double r = std::sqrt(random(0., 1.)), s = random(0., 1.);
-            const Local_quadric q = model.surface.evaluate({f, {{1. - r, r * (1. - s), r * s}}});
-            position.add(distance(q.point()));
-            flat.add(distance(q.origin));
-          }
-          // the tip itself, and both sides of an edge to it
-          Location at = {f, {{0., 0., 0.}}};
-          at.coordinates[k] = 1.;
-          assert(model.surface.evaluate(at).point() == triangles.points[tip]);
-          const int g = model.surface.cut_mesh().neighbor(f, k);
-          for(int l = 0; l < 3; ++l)
-            if(triangles.triangles[g][l] == int(tip))
+          auto [mesh, tip] = cone.mesh(seed);
+          if(is_split)
+            cone.split_faces_at(tip, mesh);
+          const Indexed_triangles triangles = indexed(mesh);
+          Model_options options;
+          options.degree = degree;
+          const auto model = make_model_with_apices(triangles, options);
+          assert(model->vertex_classes[tip] == CGAL::Hermite_diffuse_remeshing::APEX_VERTEX);
+
+          analytic::Random random(1);
+          for(int f = 0; f < triangles.number_of_faces(); ++f)
+            for(int k = 0; k < 3; ++k)
             {
-              at.coordinates[k] = 0.25;
-              at.coordinates[next(k)] = 0.75;
-              Location other = {g, {{0., 0., 0.}}};
-              other.coordinates[l] = 0.25;
-              other.coordinates[previous(l)] = 0.75;
-              assert(model.surface.evaluate(at).point() == model.surface.evaluate(other).point());
+              if(triangles.triangles[f][k] != tip)
+                continue;
+              for(int n = 0; n < 50; ++n)
+              {
+                const double r = std::sqrt(random(0., 1.)), s = random(0., 1.);
+                const Local_quadric q = model->surface.evaluate({f, {{1. - r, r * (1. - s), r * s}}});
+                position.add(cone.distance(q.point()));
+                flat.add(cone.distance(q.origin));
+              }
+              // the tip itself, and both sides of an edge to it
+              Location at = {f, {{0., 0., 0.}}};
+              at.coordinates[k] = 1.;
+              assert(model->surface.evaluate(at).point() == triangles.points[tip]);
+              const int g = model->surface.cut_mesh().neighbor(f, k);
+              for(int l = 0; l < 3; ++l)
+                if(triangles.triangles[g][l] == tip)
+                {
+                  at.coordinates[k] = 0.25;
+                  at.coordinates[next(k)] = 0.75;
+                  Location other = {g, {{0., 0., 0.}}};
+                  other.coordinates[l] = 0.25;
+                  other.coordinates[previous(l)] = 0.75;
+                  assert(model->surface.evaluate(at).point() == model->surface.evaluate(other).point());
+                }
             }
         }
-      ok = is_at_most("tip of a cone, degree " + std::to_string(degree), position() / flat(), 1.) && ok;
+        const std::string name = "tip of a cone of slope " + std::to_string(slope) + ", degree " + std::to_string(degree)
+                               + (is_split ? ", with nodes of three neighbours" : "");
+        ok = is_at_least(name + ", closer than facets", flat() / position(), is_split ? 1.2 : 2.) && ok;
+      }
+  assert(ok);
+}
+
+// around the tip of a cone: normals, and the curvature across the rulings relative to the true one
+void test_curvature_at_apices()
+{
+  bool ok = true;
+  for(const double slope : {0.6, 0.9, 1.5, 2.5})
+  {
+    const Cone cone = {slope};
+    std::vector<double> evaluated, fitted, along, turn;
+    for(int seed = 1; seed <= 5; ++seed)
+    {
+      const auto [mesh, tip] = cone.mesh(seed);
+      const auto model = make_model_with_apices(indexed(mesh), Model_options());
+      const Cut_mesh& cut_mesh = model->surface.cut_mesh();
+      Node_curvature_fitter fitter(model->surface);
+      for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
+        if(cut_mesh.vertex(i) == tip)
+          for(const int j : cut_mesh.ring(i))
+          {
+            const Vector p = model->surface.node(j).position;
+            const double truth = cone.curvature(p), r = std::hypot(p[0], p[1]);
+            const Vector normal(slope * p[0] / r, slope * p[1] / r, 1.);
+            turn.push_back(angle_between(model->surface.node(j).normal, normal) * 180. / analytic::pi);
+            evaluated.push_back(
+              model->surface.evaluate(model->surface.location_of_node(j)).monge_form().curvatures().second / truth);
+            fitted.push_back(fitter(j).curvatures().second / truth);
+            along.push_back(std::abs(fitter(j).curvatures().first / truth));
+          }
     }
+    const std::string name = "around the tip of a cone of slope " + std::to_string(slope) + ", ";
+    for(const auto& [ratios, how] : {std::make_pair(evaluated, "evaluated"), std::make_pair(fitted, "fitted")})
+    {
+      const std::string curvature = name + how + " curvature, ";
+      ok = is_at_least(curvature + "10 %", quantile(ratios, 0.1), 0.65) && ok;
+      ok = is_at_least(curvature + "median", quantile(ratios, 0.5), 0.85) && ok;
+      ok = is_at_most(curvature + "median", quantile(ratios, 0.5), 1.2) && ok;
+      ok = is_at_most(curvature + "90 %", quantile(ratios, 0.9), 1.45) && ok;
+    }
+    ok = is_at_most(name + "fitted curvature along the rulings, median", quantile(along, 0.5), 0.1) && ok;
+    ok = is_at_most(name + "normal, median", quantile(turn, 0.5), 3.) && ok;
+    ok = is_at_most(name + "normal, 95 %", quantile(turn, 0.95), 15.) && ok;
+  }
   assert(ok);
 }
 
@@ -231,6 +337,7 @@ int main()
   test_degenerate_faces();
   test_strips();
   test_apices();
+  test_curvature_at_apices();
   test_rounded_coordinates();
   test_coarse_meshes();
   return 0;

@@ -4,6 +4,7 @@
 #include "irregular_meshes.h"
 
 #include <CGAL/Hermite_diffuse_surface.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_faces.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_curvatures.h>
 
 #include <CGAL/Polyhedron_3.h>
@@ -191,6 +192,9 @@ void test_threads()
   const CGAL::Hermite_diffuse_surface<Surface_mesh> expected(mesh);
   auto expected_curvatures = get(CGAL::dynamic_vertex_property_t<Principal>(), mesh);
   PMP::hermite_diffuse_curvatures(mesh, np::principal_curvatures_map(expected_curvatures));
+  const Surface_mesh torus = make_mesh<Surface_mesh>(analytic::torus().mesh(2000, 1));
+  auto expected_labels = get(CGAL::dynamic_face_property_t<std::size_t>(), torus);
+  const auto expected_shapes = PMP::hermite_diffuse_classify_faces(torus, expected_labels);
   for(const int number_of_threads : {1, 2, 4})
   {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, number_of_threads);
@@ -213,6 +217,13 @@ void test_threads()
       assert(k.maximum_curvature == e.maximum_curvature && k.minimum_curvature == e.minimum_curvature);
       assert(k.maximum_direction == e.maximum_direction);
     }
+    auto labels = get(CGAL::dynamic_face_property_t<std::size_t>(), torus);
+    const auto shapes = PMP::hermite_diffuse_classify_faces<CGAL::Parallel_tag>(torus, labels);
+    assert(shapes.size() == expected_shapes.size() && shapes[0].radius > 0.);
+    for(std::size_t i = 0; i < shapes.size(); ++i)
+      assert(shapes[i].type == expected_shapes[i].type && shapes[i].radius == expected_shapes[i].radius);
+    for(const auto f : torus.faces())
+      assert(get(labels, f) == get(expected_labels, f));
   }
 }
 #endif

@@ -14,6 +14,8 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
+#include <CGAL/tags.h>
+
 #include <limits>
 #include <memory>
 #include <type_traits>
@@ -35,6 +37,9 @@ namespace Polygon_mesh_processing {
  *
  * Takes time proportional to the number of faces for each shape, but for a logarithmic factor.
  *
+ * @tparam ConcurrencyTag enables sequential versus parallel algorithm, for the surface that is fitted. Possible values
+ *         are `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same for
+ *         any number of threads.
  * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * @tparam FaceLabelMap a model of `WritablePropertyMap` with key type
  *         `boost::graph_traits<TriangleMesh>::%face_descriptor` and value type `std::size_t`
@@ -74,7 +79,10 @@ namespace Polygon_mesh_processing {
  *
  * @sa `hermite_diffuse_curvatures()`
  */
-template <typename TriangleMesh, typename FaceLabelMap, typename NamedParameters = parameters::Default_named_parameters>
+template <typename ConcurrencyTag = Sequential_tag,
+          typename TriangleMesh,
+          typename FaceLabelMap,
+          typename NamedParameters = parameters::Default_named_parameters>
 auto hermite_diffuse_classify_faces(const TriangleMesh& tmesh, const FaceLabelMap face_label_map,
                                     const NamedParameters& np = parameters::default_values())
 {
@@ -91,7 +99,7 @@ auto hermite_diffuse_classify_faces(const TriangleMesh& tmesh, const FaceLabelMa
   const double tolerance = choose_parameter(get_parameter(pack, internal_np::maximum_deviation),
                                             rounding * model_diameter(input.triangles));
   check_parameter("maximum_deviation", tolerance, 0., (std::numeric_limits<double>::max)());
-  const std::unique_ptr<Input_model> model = read_model(input, pack);
+  const std::unique_ptr<Input_model> model = read_model<ConcurrencyTag>(input, pack);
 
   Shape_recognizer recognize(model->surface, tolerance);
   recognize();

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 
+#include <Eigen/Core>
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -93,13 +94,19 @@ private:
   static constexpr Moment_table<Degree> table = Moment_table<Degree>();
   static constexpr int size_of_slopes = number_of_monomials(Degree - 1);
 
-  std::array<double, number_of_monomials(2 * Degree)> m_moments{};
-  std::array<double, number_of_monomials(2 * Degree - 2)> m_slope_moments{};
-  std::array<double, number_of_monomials(2 * Degree)> m_combined_moments{};
-  std::array<double, size> m_z{}, m_combined_z{};
-  std::array<double, size_of_slopes> m_p{}, m_q{};
-  std::array<double, size> m_ridge{};
-  std::array<double, size> m_coefficients{};
+  // An even number of values fills the vector registers. One that is added has any value and is not read.
+  template <int Size>
+  using Values = Eigen::Array<double, (Size + 1) / 2 * 2, 1>;
+  typedef Values<number_of_monomials(2 * Degree)> Monomials;
+  typedef Values<number_of_monomials(2 * Degree - 2)> Slope_monomials;
+
+  Monomials m_moments = Monomials::Zero();
+  Slope_monomials m_slope_moments = Slope_monomials::Zero();
+  Monomials m_combined_moments = Monomials::Zero();
+  Values<size> m_z = Values<size>::Zero(), m_combined_z = Values<size>::Zero();
+  Values<size_of_slopes> m_p = Values<size_of_slopes>::Zero(), m_q = Values<size_of_slopes>::Zero();
+  Values<size> m_ridge = Values<size>::Zero();
+  Values<size> m_coefficients = Values<size>::Zero();
 
 public:
   // f(x,y) = z
@@ -149,7 +156,7 @@ public:
   double solve(const int first = 0)
   {
     std::array<std::array<double, size>, size> a;             // lower triangle
-    std::array<double, size>& x = m_coefficients;
+    Values<size>& x = m_coefficients;
     for(int i = first; i < size; ++i)
     {
       for(int j = first; j <= i; ++j)
@@ -220,7 +227,7 @@ public:
     if(!(least > 0.))
       return 0.;
     const Eigen::VectorXd solution = qr.solve(rhs);
-    m_coefficients.fill(0.);
+    m_coefficients.setZero();
     for(int j = 0; j < number_of_unknowns; ++j)
       m_coefficients[first + j] = solution[j] / scale[j];
     return least * least;
@@ -252,51 +259,51 @@ public:
   }
 
 private:
-  typedef std::array<double, number_of_monomials(2 * Degree)> Monomials;
-
   static Monomials monomials(const double x, const double y)
   {
     Monomials m;
     m[0] = 1.;
-    for(int order = 1, i = 1; order <= 2 * Degree; ++order)
-    {
-      const int lower = i - order;
-      for(int j = 0; j < order; ++j, ++i)
-        m[i] = m[lower + j] * x;
-      m[i] = m[i - order - 1] * y;
-      ++i;
-    }
+    m[Monomials::SizeAtCompileTime - 1] = 0.;
+    add_monomials<1>(x, y, m);
     return m;
+  }
+
+  // each order from the one below, in steps that are known to the compiler
+  template <int Order>
+  static void add_monomials(const double x, const double y, Monomials& m)
+  {
+    if constexpr(Order <= 2 * Degree)
+    {
+      constexpr int lower = monomial(Order - 1, 0), first = monomial(Order, 0);
+      m.template segment<Order>(first) = x * m.template segment<Order>(lower);
+      m[first + Order] = y * m[first - 1];
+      add_monomials<Order + 1>(x, y, m);
+    }
+  }
+
+  template <typename Sums>
+  static void add(const double weight, const Monomials& m, Sums& sums)
+  {
+    sums += weight * m.template head<Sums::SizeAtCompileTime>();
   }
 
   void add_positions(const Monomials& m, const double z, const double weight)
   {
-    for(std::size_t i = 0; i < m_moments.size(); ++i)
-      m_moments[i] += weight * m[i];
-    const double weighted_z = weight * z;
-    for(std::size_t i = 0; i < m_z.size(); ++i)
-      m_z[i] += weighted_z * m[i];
+    add(weight, m, m_moments);
+    add(weight * z, m, m_z);
   }
 
   void add_slopes(const Monomials& m, const double p, const double q, const double weight)
   {
-    for(std::size_t i = 0; i < m_slope_moments.size(); ++i)
-      m_slope_moments[i] += weight * m[i];
-    const double weighted_p = weight * p, weighted_q = weight * q;
-    for(std::size_t i = 0; i < m_p.size(); ++i)
-    {
-      m_p[i] += weighted_p * m[i];
-      m_q[i] += weighted_q * m[i];
-    }
+    add(weight, m, m_slope_moments);
+    add(weight * p, m, m_p);
+    add(weight * q, m, m_q);
   }
 
   void add_combined(const Monomials& m, const double rhs, const double weight)
   {
-    for(std::size_t i = 0; i < m_combined_moments.size(); ++i)
-      m_combined_moments[i] += weight * m[i];
-    const double weighted_rhs = weight * rhs;
-    for(std::size_t i = 0; i < m_combined_z.size(); ++i)
-      m_combined_z[i] += weighted_rhs * m[i];
+    add(weight, m, m_combined_moments);
+    add(weight * rhs, m, m_combined_z);
   }
 };
 

