@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/collapse_short_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/mesh_statistics.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/raise_worst_faces.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
@@ -40,6 +41,7 @@ class Remesher
   // irregular vertices. Then slowly wider ones, where that comes to rest.
   static constexpr double widest_band = 2., tightest_band = 1.25, widening = 1.08;
   static constexpr int number_of_tight_passes = 3;
+  static constexpr int number_of_widening_passes = 10;     // until the band is as wide as it was first
   // Splits leave more short edges than collapses leave long ones: without this factor the edges would be a few
   // percent shorter than their sizes on the average, and there would be more faces than predicted.
   static constexpr double band_center = 1.035;
@@ -73,7 +75,14 @@ public:
   }
 
   // sizes: every edge into its band
-  Stop_reason adapt() { return adapt_from(0, 0); }
+  Stop_reason adapt()
+  {
+    if(!is_adapted(m_mesh))
+      return adapt_from(0, 0);
+    // only edges outside the widest band are treated, and what changes around them
+    m_flipped_at = m_balanced_at = m_mesh.number_of_changes();
+    return adapt_from(number_of_widening_passes, 0);
+  }
 
   // same, where sizes or faces have changed since; the rest is left alone
   Stop_reason adapt_again(const std::size_t since)

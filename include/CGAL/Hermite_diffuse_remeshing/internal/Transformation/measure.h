@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_meter.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/mesh_statistics.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,64 +20,6 @@
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
-
-struct Quality_statistics
-{
-  double smallest = 1., mean = 0.;
-};
-
-template <typename IsSelected>
-Quality_statistics measure_quality(const Indexed_triangles& triangles, const IsSelected& is_selected)
-{
-  Quality_statistics result;
-  std::size_t number = 0;
-  for(int f = 0; f < triangles.number_of_faces(); ++f)
-  {
-    if(!is_selected(f))
-      continue;
-    const double q = quality(triangles.point(f, 0), triangles.point(f, 1), triangles.point(f, 2));
-    result.smallest = (std::min)(result.smallest, q);
-    result.mean += q;
-    ++number;
-  }
-  result.mean /= (std::max)(std::size_t(1), number);
-  return result;
-}
-
-template <typename UserMesh>
-Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh)
-{
-  Quality_statistics result;
-  std::size_t number = 0;
-  for(const auto f : faces(mesh.tmesh()))
-  {
-    if(!mesh.is_remeshed(f))
-      continue;
-    const auto h = halfedge(f, mesh.tmesh());
-    const double q = quality(mesh.point(source(h, mesh.tmesh())), mesh.point(target(h, mesh.tmesh())),
-                             mesh.point(target(next(h, mesh.tmesh()), mesh.tmesh())));
-    result.smallest = (std::min)(result.smallest, q);
-    result.mean += q;
-    ++number;
-  }
-  result.mean /= (std::max)(std::size_t(1), number);
-  return result;
-}
-
-// part of the edges with a length between half and twice their size
-template <typename UserMesh>
-double measure_size_conformity(const Working_mesh<UserMesh>& mesh)
-{
-  std::size_t number = 0, conforming = 0;
-  for(const auto e : edges(mesh.tmesh()))
-    if(mesh.is_inside(e))
-    {
-      const double length = mesh.relative_length(halfedge(e, mesh.tmesh()));
-      ++number;
-      conforming += length >= 0.5 && length <= 2.;
-    }
-  return double(conforming) / (std::max)(std::size_t(1), number);
-}
 
 template <typename UserMesh, typename TriangleMesh>
 void fill_report(const Working_mesh<UserMesh>& mesh, const Deviations<UserMesh>& deviations,
@@ -87,7 +30,7 @@ void fill_report(const Working_mesh<UserMesh>& mesh, const Deviations<UserMesh>&
   const Quality_statistics quality = measure_quality(mesh);
   report.smallest_quality = quality.smallest;
   report.mean_quality = quality.mean;
-  report.size_conformity = measure_size_conformity(mesh);
+  report.size_conformity = measure_sizes(mesh, [](const auto) { return true; }).within_2;
 
   report.largest_deviation = deviations.largest;
   report.mean_deviation = deviations.mean;

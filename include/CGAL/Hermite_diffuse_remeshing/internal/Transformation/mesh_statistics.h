@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_STATISTICS_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_STATISTICS_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+struct Quality_statistics
+{
+  double smallest = 1., mean = 0.;
+};
+
+template <typename IsSelected>
+Quality_statistics measure_quality(const Indexed_triangles& triangles, const IsSelected& is_selected)
+{
+  Quality_statistics result;
+  std::size_t number = 0;
+  for(int f = 0; f < triangles.number_of_faces(); ++f)
+  {
+    if(!is_selected(f))
+      continue;
+    const double q = quality(triangles.point(f, 0), triangles.point(f, 1), triangles.point(f, 2));
+    result.smallest = (std::min)(result.smallest, q);
+    result.mean += q;
+    ++number;
+  }
+  result.mean /= (std::max)(std::size_t(1), number);
+  return result;
+}
+
+template <typename UserMesh>
+Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh)
+{
+  Quality_statistics result;
+  std::size_t number = 0;
+  for(const auto f : faces(mesh.tmesh()))
+  {
+    if(!mesh.is_remeshed(f))
+      continue;
+    const auto h = halfedge(f, mesh.tmesh());
+    const double q = quality(mesh.point(source(h, mesh.tmesh())), mesh.point(target(h, mesh.tmesh())),
+                             mesh.point(target(next(h, mesh.tmesh()), mesh.tmesh())));
+    result.smallest = (std::min)(result.smallest, q);
+    result.mean += q;
+    ++number;
+  }
+  result.mean /= (std::max)(std::size_t(1), number);
+  return result;
+}
+
+// part of the edges with a length between half and twice their size
+// lengths of the edges in units of their sizes
+struct Size_statistics
+{
+  double within_2 = 0., within_sqrt_2 = 0.;       // shares of the edges between 1/x and x
+  double mean_log2 = 0.;                          // of the logarithm to base 2
+};
+
+// `is_counted(halfedge)` selects edges
+template <typename UserMesh, typename IsCounted>
+Size_statistics measure_sizes(const Working_mesh<UserMesh>& mesh, const IsCounted& is_counted)
+{
+  Size_statistics result;
+  std::size_t number = 0;
+  for(const auto e : edges(mesh.tmesh()))
+  {
+    const auto h = halfedge(e, mesh.tmesh());
+    if(!mesh.is_inside(e) || !is_counted(h))
+      continue;
+    const double log2 = std::log2(mesh.relative_length(h));
+    ++number;
+    result.within_2 += std::abs(log2) <= 1.;
+    result.within_sqrt_2 += std::abs(log2) <= 0.5;
+    result.mean_log2 += std::isfinite(log2) ? log2 : 0.;
+  }
+  const double divisor = double((std::max)(std::size_t(1), number));
+  result.within_2 /= divisor;
+  result.within_sqrt_2 /= divisor;
+  result.mean_log2 /= divisor;
+  return result;
+}
+
+// Has the mesh the sizes already, and good triangles, as after a run with the same sizes? A second run leaves
+// such a mesh nearly as it is. The edges at curves do not count: close curves, and whole numbers of edges on short
+// ones, force other lengths than the sizes.
+template <typename UserMesh>
+bool is_adapted(const Working_mesh<UserMesh>& mesh)
+{
+  // what the loop reaches, by a little more than what sizes change when the model is fitted to its result
+  constexpr double least_share_within_2 = 0.95, least_share_within_sqrt_2 = 0.8, largest_mean = 0.15;
+  constexpr double least_mean_quality = 0.85;
+  const Size_statistics sizes = measure_sizes(mesh, [&](const auto h)
+  {
+    return mesh.data(source(h, mesh.tmesh())).type == SURFACE_VERTEX
+        && mesh.data(target(h, mesh.tmesh())).type == SURFACE_VERTEX;
+  });
+  return sizes.within_2 >= least_share_within_2 && sizes.within_sqrt_2 >= least_share_within_sqrt_2
+      && std::abs(sizes.mean_log2) <= largest_mean && measure_quality(mesh).mean >= least_mean_quality;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_STATISTICS_H
