@@ -94,7 +94,7 @@ double time_per_item(const std::size_t number_of_items, const std::function<void
 
 Curvatures evaluated(const Indexed_triangles& triangles, const Model_options& options)
 {
-  const auto model = make_model(triangles, options);
+  const auto model = make_model<Input_surface>(triangles, options);
   Curvatures result;
   for(int i = 0; i < model->surface.cut_mesh().number_of_nodes(); ++i)
     result.push_back(model->surface.evaluate(model->surface.location_of_node(i)).monge_form().curvatures());
@@ -103,7 +103,7 @@ Curvatures evaluated(const Indexed_triangles& triangles, const Model_options& op
 
 Curvatures fitted(const Indexed_triangles& triangles, const Model_options& options)
 {
-  const auto model = make_model(triangles, options);
+  const auto model = make_model<Input_surface>(triangles, options);
   Node_curvature_fitter fitter(model->surface);
   Curvatures result;
   for(int i = 0; i < model->surface.cut_mesh().number_of_nodes(); ++i)

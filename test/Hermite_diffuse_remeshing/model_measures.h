@@ -31,16 +31,18 @@ inline Indexed_triangles indexed(const analytic::Triangles& mesh)
   return result;
 }
 
-inline std::unique_ptr<Input_model> make_model(const Indexed_triangles& triangles,
-                                               const Model_options& options = Model_options(),
-                                               const double sharp_angle_in_degrees = 180.,
-                                               const std::vector<Vector>& vertex_normals = std::vector<Vector>())
+// `Model` is `Input_model` or `Input_surface`
+template <typename Model = Input_model>
+std::unique_ptr<Model> make_model(const Indexed_triangles& triangles,
+                                  const Model_options& options = Model_options(),
+                                  const double sharp_angle_in_degrees = 180.,
+                                  const std::vector<Vector>& vertex_normals = std::vector<Vector>())
 {
   const double sharp = sharp_angle_in_degrees < 180. ? sharp_angle_in_degrees * analytic::pi / 180. : infinite;
   const Feature_options features = {sharp, analytic::pi / 3., infinite};
-  return std::unique_ptr<Input_model>(
-    new Input_model(triangles, features, options, [](int, int) { return UNMARKED_EDGE; }, [](int) { return false; },
-                    vertex_normals));
+  return std::unique_ptr<Model>(
+    new Model(triangles, features, options, [](int, int) { return UNMARKED_EDGE; }, [](int) { return false; },
+              vertex_normals));
 }
 
 inline double quantile(std::vector<double> values, const double q)

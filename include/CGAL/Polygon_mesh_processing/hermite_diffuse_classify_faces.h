@@ -99,7 +99,7 @@ auto hermite_diffuse_classify_faces(const TriangleMesh& tmesh, const FaceLabelMa
   const double tolerance = choose_parameter(get_parameter(pack, internal_np::maximum_deviation),
                                             rounding * model_diameter(input.triangles));
   check_parameter("maximum_deviation", tolerance, 0., (std::numeric_limits<double>::max)());
-  const std::unique_ptr<Input_model> model = read_model<ConcurrencyTag>(input, pack);
+  const std::unique_ptr<Input_surface> model = read_model<ConcurrencyTag, Input_surface>(input, pack);
 
   Shape_recognizer recognize(model->surface, tolerance);
   recognize();

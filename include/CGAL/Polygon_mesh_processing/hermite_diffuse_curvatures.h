@@ -151,7 +151,7 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
   typedef typename GT::FT FT;
 
   const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
-  const std::unique_ptr<Input_model> model = read_model<ConcurrencyTag>(input, pack);
+  const std::unique_ptr<Input_surface> model = read_model<ConcurrencyTag, Input_surface>(input, pack);
 
   const auto mean = choose_parameter(get_parameter(pack, internal_np::mean_curvature_map),
                                      Constant_property_map<vertex_descriptor, FT>());
@@ -214,7 +214,7 @@ void hermite_diffuse_curvatures(const typename boost::graph_traits<TriangleMesh>
   Principal_curvatures k;
   if(!input.face_descriptors.empty())
   {
-    const std::unique_ptr<Input_model> model = read_model(input, pack);
+    const std::unique_ptr<Input_surface> model = read_model<Sequential_tag, Input_surface>(input, pack);
     Node_curvature_fitter fitter(model->surface);
     const Cut_mesh& cut_mesh = model->surface.cut_mesh();
     for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)

@@ -50,9 +50,11 @@ std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, c
   return normals;
 }
 
-template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh, typename GeomTraits, typename Pack>
-std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
-                                        const Progress& progress = Progress())
+// `Model` is `Input_model`, or `Input_surface` where no points are to be found
+template <typename ConcurrencyTag = Sequential_tag, typename Model = Input_model, typename TriangleMesh,
+          typename GeomTraits, typename Pack>
+std::unique_ptr<Model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
+                                  const Progress& progress = Progress())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -63,11 +65,11 @@ std::unique_ptr<Input_model> read_model(const Input_mesh<TriangleMesh, GeomTrait
                                     Static_boolean_property_map<vertex_descriptor, false>());
   Model_options options = read_model_options(pack);
   options.is_parallel = is_parallel<ConcurrencyTag>();
-  return std::unique_ptr<Input_model>(
-    new Input_model(input.triangles, read_feature_options(pack), options,
-                    [&](const int f, const int side) { return input.side_marks[f][side]; },
-                    [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
-                    read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress));
+  return std::unique_ptr<Model>(
+    new Model(input.triangles, read_feature_options(pack), options,
+              [&](const int f, const int side) { return input.side_marks[f][side]; },
+              [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
+              read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress));
 }
 
 } // namespace internal

@@ -26,27 +26,25 @@ struct Feature_options
   double sharp_angle, corner_angle, apex_defect;
 };
 
-// Everything that is derived from the input alone: classified, cut, chained and fitted.
-struct Input_model
+// What is derived from the input alone: classified, cut, chained and fitted.
+struct Input_surface
 {
   Edge_table edges;
   std::vector<Edge_class> edge_classes;
   std::vector<Vertex_class> vertex_classes;
   Feature_curves curves;
   Reference_surface surface;
-  Reference_locator locator;
 
   // `edge_mark(face, side)`, `is_vertex_constrained(vertex)`: the user's features;
   // `vertex_normals`: unit normals that the user knows, or zero, or no vector at all
   template <typename EdgeMark, typename IsVertexConstrained>
-  Input_model(const Indexed_triangles& triangles, const Feature_options& features, const Model_options& options,
-              const EdgeMark& edge_mark, const IsVertexConstrained& is_vertex_constrained,
-              const std::vector<Vector>& vertex_normals = std::vector<Vector>(),
-              const Progress& progress = Progress())
+  Input_surface(const Indexed_triangles& triangles, const Feature_options& features, const Model_options& options,
+                const EdgeMark& edge_mark, const IsVertexConstrained& is_vertex_constrained,
+                const std::vector<Vector>& vertex_normals = std::vector<Vector>(),
+                const Progress& progress = Progress())
     : edges(triangles)
     , edge_classes(classify_edges(triangles, edges, features.sharp_angle, edge_mark))
     , surface(make_surface(triangles, features, options, is_vertex_constrained, vertex_normals, progress))
-    , locator(surface, progress.part(before_search_tree, 1.))
   {}
 
   // gives up what only a remeshing needs, a third of the memory
@@ -58,13 +56,11 @@ struct Input_model
     curves = Feature_curves();
   }
 
-  Input_model(const Input_model&) = delete;             // the locator refers to the surface
-  Input_model& operator=(const Input_model&) = delete;
-
-private:
+protected:
   // rough parts of the time that the steps take
   static constexpr double before_cut = 0.1, before_curves = 0.15, before_fit = 0.2, before_search_tree = 0.8;
 
+private:
   template <typename IsVertexConstrained>
   Reference_surface make_surface(const Indexed_triangles& triangles, const Feature_options& features,
                                  const Model_options& options, const IsVertexConstrained& is_vertex_constrained,
@@ -80,6 +76,23 @@ private:
     return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options, vertex_normals,
                              progress.part(before_fit, before_search_tree));
   }
+};
+
+// and where points are found on it; curvatures at vertices do not need that
+struct Input_model : Input_surface
+{
+  Reference_locator locator;
+
+  template <typename EdgeMark, typename IsVertexConstrained>
+  Input_model(const Indexed_triangles& triangles, const Feature_options& features, const Model_options& options,
+              const EdgeMark& edge_mark, const IsVertexConstrained& is_vertex_constrained,
+              const std::vector<Vector>& vertex_normals = std::vector<Vector>(), const Progress& progress = Progress())
+    : Input_surface(triangles, features, options, edge_mark, is_vertex_constrained, vertex_normals, progress)
+    , locator(surface, progress.part(before_search_tree, 1.))
+  {}
+
+  Input_model(const Input_model&) = delete;             // the locator refers to the surface
+  Input_model& operator=(const Input_model&) = delete;
 };
 
 } // namespace internal
