@@ -77,13 +77,18 @@ Surface_mesh mesh_with_repeated_corner()
   return mesh;
 }
 
-// An ear that touches other faces in its tip, where a collapse of its short side would be wanted.
+// An ear that touches another face in its tip, where a collapse of its short side would be wanted.
 Surface_mesh mesh_with_touching_ear()
 {
-  const analytic::Triangles t = {{{{0., 0., 0.}}, {{1., 0., 0.}}, {{0.5, 0.9, 0.}}, {{0.95, 0.1, 0.}}, {{1.8, 0.6, 0.}},
-                                  {{1.8, -0.6, 0.}}},
-                                 {{{0, 3, 2}}, {{0, 1, 3}}, {{1, 5, 4}}}};
-  return make_mesh<Surface_mesh>(t);
+  Surface_mesh mesh;
+  std::vector<Surface_mesh::Vertex_index> v;
+  for(const Point_3& p : {Point_3(0., 0., 0.), Point_3(1., 0., 0.), Point_3(0.5, 0.9, 0.), Point_3(0.95, 0.1, 0.),
+                          Point_3(1.8, 0.6, 0.), Point_3(1.8, -0.6, 0.)})
+    v.push_back(mesh.add_vertex(p));
+  mesh.add_face(v[0], v[3], v[2]);
+  mesh.add_face(v[0], v[1], v[3]);
+  mesh.add_face(v[1], v[5], v[4]);
+  return mesh;
 }
 
 Surface_mesh grid(const int n, const double height)

@@ -48,7 +48,9 @@ public:
   Triangle_tree(const Indexed_triangles& triangles, std::vector<int> faces, const Progress& progress = Progress())
     : m_triangles(&triangles), m_faces(std::move(faces))
   {
+    progress(0.);
     std::vector<Point_3> centers;
+    centers.reserve(m_faces.size());
     for(const int f : m_faces)
     {
       const Vector c = (triangles.point(f, 0) + triangles.point(f, 1) + triangles.point(f, 2)) / 3.;

@@ -305,6 +305,7 @@ private:
     {
       if(!m_is_new[i])
         continue;
+      m_mesh.give_up_if_stopped();
       std::array<int, 3> triangle;
       halfedge_descriptor h = halfedge(m_deviations.faces[i].face, tm);
       for(int k = 0; k < 3; ++k, h = next(h, tm))
