@@ -6,6 +6,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
@@ -99,6 +100,12 @@ void write_json(std::ostream& os,
     return std::isfinite(value) ? text.str() : std::string("null");
   };
   const auto& worst = r.point_of_largest_deviation;
+  using namespace CGAL::Hermite_diffuse_remeshing;
+  std::string obstacles;
+  for(const Deviation_obstacle obstacle : {DEVIATION_AT_PROTECTED_EDGE, DEVIATION_AT_SMALLEST_SIZE, DEVIATION_AT_FOLD,
+                                           DEVIATION_AFTER_STOP})
+    obstacles += std::string(obstacles.empty() ? "" : ", ") + "\"" + CGAL::Hermite_diffuse_remeshing::name(obstacle) + "\": "
+      + std::to_string(std::count(r.deviation_obstacles.begin(), r.deviation_obstacles.end(), obstacle));
 
   os << "{\n"
      << "  \"input_faces\": " << r.number_of_input_faces << ",\n"
@@ -117,6 +124,7 @@ void write_json(std::ostream& os,
      << "  \"maximum_deviation\": " << number(r.maximum_deviation) << ",\n"
      << "  \"maximum_deviation_met\": " << (r.is_maximum_deviation_met ? "true" : "false") << ",\n"
      << "  \"faces_above_maximum_deviation\": " << r.faces_above_maximum_deviation.size() << ",\n"
+     << "  \"deviation_obstacles\": {" << obstacles << "},\n"
      << "  \"size_conformity\": " << number(r.size_conformity) << ",\n"
      << "  \"predicted_faces\": " << number(r.predicted_number_of_faces) << ",\n"
      << "  \"size_scale\": " << number(r.size_scale) << ",\n"

@@ -1,12 +1,17 @@
 // The edges follow the law for the true curvature, the gradation, and fields of the user; the number of
-// faces is the predicted one.
+// faces is the predicted one. The largest deviation that is asked for is met, or reported as not met with the
+// faces and the reasons; and what is reported is what CGAL measures.
 
+#include "sampled_model.h"
 #include "sized_surfaces.h"
 #include "test_helpers.h"
 
 #include <CGAL/Hermite_diffuse_remeshing/Size_fields.h>
 #include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
 
+#include <algorithm>
 #include <initializer_list>
 
 // returns the number of faces
@@ -81,8 +86,89 @@ void test_fields()
   check_field(HDR::minimum_size_field(at_point, along_plane), both);
 }
 
+double diagonal(const Surface_mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
+                   + CGAL::square(box.zmax() - box.zmin()));
+}
+
+// `part`: of the diagonal
+void test_contract(const Surface_mesh& input, const double part)
+{
+  const double bound = part * diagonal(input);
+  const auto parameters = params::approximation_error(0.1).maximum_deviation(bound);
+  Surface_mesh mesh = input;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, parameters);
+  assert(report.is_maximum_deviation_met && report.largest_deviation <= bound);
+  assert(report.faces_above_maximum_deviation.empty() && report.deviation_obstacles.empty());
+  assert(report.number_of_deviation_rounds > 0);
+  assert(report.stop_reason != HDR::DEVIATION_NOT_MET);
+  assert(report.smallest_quality >= 0.5);
+
+  // The points at which the package measures are where facets deviate most on bent surfaces. The sampled model
+  // and CGAL's measure have an error each.
+  const double tolerance = 0.1 * bound;
+  const Surface_mesh model = sampled_model(input, parameters, tolerance);
+  typedef CGAL::Sequential_tag Tag;
+  const double to_model = PMP::bounded_error_Hausdorff_distance<Tag>(mesh, model, tolerance);
+  const double from_model = PMP::bounded_error_Hausdorff_distance<Tag>(model, mesh, tolerance);
+  assert(std::abs((std::max)(to_model, from_model) - report.largest_deviation) <= 0.3 * bound);
+}
+
+// edges that may not change decide where the bound cannot be met
+void test_protected_edges()
+{
+  Surface_mesh mesh = make_mesh<Surface_mesh>(analytic::Frustum().mesh(1000, 3));
+  const auto is_on_rim = [](const Point_3& p)
+  { return std::abs(std::hypot(p.x(), p.y()) - 1.) < 1e-9 && (p.z() < 1e-9 || p.z() > 2. - 1e-9); };
+  auto is_constrained = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:constrained", false).first;
+  for(const auto e : edges(mesh))
+    is_constrained[e] = is_on_rim(mesh.point(source(e, mesh))) && is_on_rim(mesh.point(target(e, mesh)));
+  auto deviations = mesh.add_property_map<Surface_mesh::Face_index, double>("f:deviation", 0.).first;
+  const double bound = 1e-3;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_deviation(bound)
+    .edge_is_constrained_map(is_constrained).protect_constraints(true).face_deviation_map(deviations));
+  assert(!report.is_maximum_deviation_met && report.largest_deviation > bound);
+  assert(report.stop_reason == HDR::DEVIATION_NOT_MET);
+  assert(!report.faces_above_maximum_deviation.empty());
+  assert(report.deviation_obstacles.size() == report.faces_above_maximum_deviation.size());
+  for(std::size_t i = 0; i < report.deviation_obstacles.size(); ++i)
+  {
+    assert(deviations[report.faces_above_maximum_deviation[i]] > bound);
+    assert(report.deviation_obstacles[i] == HDR::DEVIATION_AT_PROTECTED_EDGE);
+  }
+  // finer faces at the rims would not help, and are not made
+  assert(report.number_of_faces <= 1.5 * report.predicted_number_of_faces && report.smallest_quality >= 0.5);
+}
+
+// what no mesh can meet ends at the budget, or at the smallest size
+void test_absurd_tolerances()
+{
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::Torus().mesh(1000, 3));
+  const std::size_t budget = 5000;
+  Surface_mesh mesh = input;
+  auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_deviation(1e-12).maximum_number_of_faces(budget));
+  assert(!report.is_maximum_deviation_met && report.stop_reason == HDR::FACE_BUDGET);
+  assert(report.number_of_faces <= budget && !report.faces_above_maximum_deviation.empty());
+
+  mesh = input;
+  report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(1e-12).maximum_number_of_faces(budget));
+  assert(report.number_of_faces <= budget && std::abs(report.predicted_number_of_faces / budget - 0.9) <= 0.05);
+
+  mesh = input;
+  report = PMP::hermite_diffuse_remesh(mesh, params::maximum_deviation(1e-5).minimum_edge_length(0.1));
+  assert(!report.is_maximum_deviation_met && report.stop_reason == HDR::DEVIATION_NOT_MET);
+  for(const HDR::Deviation_obstacle obstacle : report.deviation_obstacles)
+    assert(obstacle == HDR::DEVIATION_AT_SMALLEST_SIZE);
+}
+
 int main()
 {
+  test_contract(make_mesh<Surface_mesh>(analytic::Torus().mesh(1000, 3)), 4e-3);
+  test_contract(make_mesh<Surface_mesh>(analytic::Frustum().mesh(1000, 3)), 4e-3);
+  test_protected_edges();
+  test_absurd_tolerances();
   analytic::Frustum cylinder, cone;
   cone.top = 0.5;
   test_law(analytic::Sized_torus(), {0.1, 0.05});

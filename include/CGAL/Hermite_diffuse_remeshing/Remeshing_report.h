@@ -60,6 +60,37 @@ inline const char* name(const Stop_reason reason)
 /*!
  * \ingroup PkgHermiteDiffuseRemeshingRef
  *
+ * tells why a face deviates more than `maximum_deviation`.
+ */
+enum Deviation_obstacle
+{
+  DEVIATION_AT_PROTECTED_EDGE, ///< the edge where it does may not be changed, or the sizes there start from its length
+  DEVIATION_AT_SMALLEST_SIZE,  ///< the size there is `minimum_edge_length` already
+  DEVIATION_AT_FOLD,           ///< smaller faces were tried, and did not help or could not be made: the model is folded
+                               ///< or torn there, as over flat or intersecting faces of the input
+  DEVIATION_AFTER_STOP         ///< the face budget, the time, or the number of rounds was used up before
+};
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * returns the name of an obstacle in lower case with underscores, as the command line program writes it.
+ */
+inline const char* name(const Deviation_obstacle obstacle)
+{
+  switch(obstacle)
+  {
+    case DEVIATION_AT_PROTECTED_EDGE:       return "protected_edge";
+    case DEVIATION_AT_SMALLEST_SIZE: return "smallest_size";
+    case DEVIATION_AT_FOLD:         return "fold";
+    case DEVIATION_AFTER_STOP:           return "stop";
+  }
+  return "unknown";
+}
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
  * says what a remeshing did and which promises it kept. Lengths are in the unit of the input.
  * The quality of a triangle is \f$ 2\sqrt{3}\,\rho / L \f$ with \f$ \rho \f$ the radius of the
  * inscribed circle and \f$ L \f$ the longest edge: 1 for an equilateral triangle, 0 for a flat one.
@@ -114,6 +145,8 @@ struct Remeshing_report
   std::size_t number_of_deviation_rounds = 0;
   /// the faces of the result that deviate more than `maximum_deviation`
   std::vector<face_descriptor> faces_above_maximum_deviation;
+  /// why they do, in the same order
+  std::vector<Deviation_obstacle> deviation_obstacles;
   /// @}
 
   /// \name Sizes

@@ -78,10 +78,10 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
   Deviations<User> deviations;
   watched.stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
   if(!watched.is_stopped())
-    watched.stage("optimisation", [&] { report.stop_reason = remesher.optimise(report.stop_reason); });
+    watched.stage("optimisation", [&] { report.stop_reason = remesher.raise_worst(remesher.optimise(report.stop_reason)); });
   if(!watched.is_stopped())
     report.is_deviation_measured = watched.stage("deviation", [&]
-    { deviations = enforce_deviation(mesh, *sizes, remesher, options.sizes.maximum_deviation, report.stop_reason,
+    { deviations = enforce_deviation(mesh, *sizes, remesher, options.sizes.maximum_deviation,
                                      report.number_of_deviation_rounds); });
   fill_report(mesh, deviations, report);
   if(watched.is_stopped())

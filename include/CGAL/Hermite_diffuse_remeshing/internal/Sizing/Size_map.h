@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Curve_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Frozen_lengths.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_samples.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
@@ -38,25 +39,16 @@ class Size_map
 {
   typedef Bisection_tree::Cell Cell;
 
-  struct Sample
-  {
-    Vector position;
-    double own_size;                      // of curvature, user and bounds, before gradation
-    double user_size;                     // the user's part of it
-    double cap = std::numeric_limits<double>::infinity();
-  };
-
   Size_sources m_sources;
   Progress m_progress;
   Bisection_tree m_cells;
-  std::vector<Sample> m_samples;          // first the vertices of the reference
+  Size_samples m_samples;                 // first the vertices of the reference
   std::vector<double> m_sizes;            // after gradation
   std::vector<double> m_area_ratios;      // of the surface over the faces
   Pair_map<int> m_middles;
   Curve_sizes m_curve_sizes;
   Frozen_lengths m_frozen;
   double m_scale = 1.;                    // of the own sizes, to meet a budget
-  bool m_is_sample_lowered = false;       // since the sizes were last graded
   double m_number_of_probes = 0.;
 
   // a cell is fine enough when its longest side is this many sizes long; off the simple ratios, so that
@@ -91,7 +83,7 @@ public:
       if(is_edge_frozen[e])
       {
         const std::array<int, 2>& ends = edges.vertices(static_cast<int>(e));
-        m_frozen.add_edge(ends[0], ends[1], (m_samples[ends[1]].position - m_samples[ends[0]].position).norm());
+        m_frozen.add_edge(ends[0], ends[1], (m_samples.position(ends[1]) - m_samples.position(ends[0])).norm());
       }
     refine();
     // From now on the mesh changes, and a field that refers to it with it: what has been read is
@@ -108,13 +100,30 @@ public:
 
   double minimum_length() const { return m_sources.options().minimum_length; }
 
-  // Asks for smaller sizes: each cap bounds the size at the corners of the cell around a location.
-  // Call `refine()` after the last one.
+  // Asks for a smaller size at a location: the cell there is bisected until it is small against the size, which
+  // then bounds that at the corners. Call `refine()` after the last one.
   void add_cap(const Location& location, const double size)
   {
     const double bounded = (std::max)(size, minimum_length());
-    for(const int s : m_cells[m_cells.leaf(location).first].samples)
-      m_samples[s].cap = (std::min)(m_samples[s].cap, bounded);
+    int c = m_cells.leaf(location).first;
+    for(; !is_full(); c = m_cells.leaf(location).first)
+    {
+      const int k = m_samples.longest_side(m_cells[c]);
+      if(m_samples.side_length(m_cells[c], k) <= sides_per_size * bounded)
+        break;
+      bisect(c, k);
+    }
+    for(const int s : m_cells[c].samples)
+      m_samples.lower_cap(s, bounded);
+  }
+
+  // Do edges that stay as they are keep the size at a location above what was asked for there?
+  bool is_cap_exceeded(const Location& location) const
+  {
+    constexpr double margin = 1e-6;
+    const std::array<int, 3>& s = m_cells[m_cells.leaf(location).first].samples;
+    return std::any_of(s.begin(), s.end(),
+                       [this](const int i) { return m_sizes[i] > (1. + margin) * m_samples.cap(i); });
   }
 
   // bisects cells until each is small against the size or the size is linear in it
@@ -128,15 +137,13 @@ public:
       for(int c = 0; c < number_of_cells; ++c, m_progress(0.))
         if(m_cells.is_leaf(c) && !is_full() && is_too_coarse(c))
         {
-          const int k = longest_side(m_cells[c]);
-          const int middle = middle_of_side(m_cells[c], k);
-          m_cells.bisect(c, k, middle);
+          bisect(c, m_samples.longest_side(m_cells[c]));
           is_refined = true;
         }
       if(!is_refined)
         break;
     }
-    if(m_is_sample_lowered || m_sizes.size() < m_samples.size())
+    if(m_samples.is_lowered() || static_cast<int>(m_sizes.size()) < m_samples.size())
       grade();
   }
 
@@ -151,7 +158,7 @@ public:
       if(!m_cells.is_leaf(c) || !is_selected(cell.face))
         continue;
       number += m_area_ratios[cell.face] * number_of_equilateral_faces(
-        m_samples[cell.samples[0]].position, m_samples[cell.samples[1]].position, m_samples[cell.samples[2]].position,
+        m_samples.position(cell.samples[0]), m_samples.position(cell.samples[1]), m_samples.position(cell.samples[2]),
         {{m_sizes[cell.samples[0]], m_sizes[cell.samples[1]], m_sizes[cell.samples[2]]}});
     }
     return number;
@@ -192,7 +199,7 @@ private:
   {
     const Indexed_triangles& triangles = surface.triangles();
     for(const Vector& p : triangles.points)
-      m_samples.push_back({p, m_sources.options().maximum_length, m_sources.options().maximum_length});
+      m_samples.add(p, m_sources.options().maximum_length);
     if(m_sources.has_user_size())
     {
       std::vector<char> is_done(triangles.number_of_vertices(), false);
@@ -221,41 +228,19 @@ private:
         for(const int v : edges.vertices(e))
         {
           m_progress(0.);
-          sizes.push_back(std::make_pair(v, m_curve_sizes.size_in_strip(m_samples[v].position, e, m_samples[v].own_size)));
+          sizes.push_back(std::make_pair(v, m_curve_sizes.size_in_strip(m_samples.position(v), e, m_samples.own_size(v))));
         }
     for(const std::pair<int, double>& size : sizes)
       lower(size.first, size.second);
   }
 
-  void lower(const int sample, const double size)
-  {
-    const double clamped = m_sources.clamped(size);
-    if(!(clamped < m_samples[sample].own_size))
-      return;
-    m_samples[sample].own_size = clamped;
-    m_is_sample_lowered = true;
-  }
-
+  void lower(const int sample, const double size) { m_samples.lower(sample, m_sources.clamped(size)); }
   void lower_user_size(const int sample, const double size)
   {
-    m_samples[sample].user_size = (std::min)(m_samples[sample].user_size, size);
-    lower(sample, size);
+    m_samples.lower_user_size(sample, m_sources.clamped(size));
   }
 
-  double side_length(const Cell& cell, const int k) const
-  {
-    return (m_samples[cell.samples[next(k)]].position - m_samples[cell.samples[k]].position).norm();
-  }
-
-  int longest_side(const Cell& cell) const
-  {
-    int longest = 0;
-    for(int k = 1; k < 3; ++k)
-      // a tie must not be decided by rounding
-      if(side_length(cell, k) > (1. + 1e-9) * side_length(cell, longest))
-        longest = k;
-    return longest;
-  }
+  void bisect(const int c, const int k) { m_cells.bisect(c, k, middle_of_side(m_cells[c], k)); }
 
   Location location_of(const Cell& cell, const Vector& p) const
   {
@@ -280,24 +265,23 @@ private:
     const Sample_pair key = ordered(a, b);
     const auto found = m_middles.find(key);
     const bool is_new = found == m_middles.end();
-    const int sample = is_new ? static_cast<int>(m_samples.size()) : found->second;
+    const int sample = is_new ? m_samples.size() : found->second;
     const bool is_on_curve = m_curve_sizes.is_on_curve(a, b);
     if(is_new)
     {
       // the interpolated size of the user stands where the field is not asked any more
       const double user_size = m_sources.has_user_size() ? m_sources.options().maximum_length
-                             : (m_samples[a].user_size + m_samples[b].user_size) / 2.;
-      m_samples.push_back({(m_samples[key.first].position + m_samples[key.second].position) / 2.,
-                           user_size, user_size});
+                             : (m_samples.user_size(a) + m_samples.user_size(b)) / 2.;
+      m_samples.add_middle(key.first, key.second, user_size);
       m_middles[key] = sample;
       m_frozen.add_middle(a, b, sample);
       if(is_on_curve)
-        lower(sample, m_curve_sizes.bisect(a, b, sample, m_samples[sample].position, user_size));
+        lower(sample, m_curve_sizes.bisect(a, b, sample, m_samples.position(sample), user_size));
     }
     const bool is_user_asked = m_sources.has_user_size() && (is_new || m_sources.options().is_user_size_local);
     if(is_new || is_on_curve || is_user_asked)
     {
-      const Location location = location_of(cell, m_samples[sample].position);
+      const Location location = location_of(cell, m_samples.position(sample));
       if(is_new || is_on_curve)
         lower(sample, m_sources.of_surface(location));
       if(is_user_asked)
@@ -309,10 +293,10 @@ private:
   bool is_too_coarse(const int c)
   {
     const Cell cell = m_cells[c];
-    const int k = longest_side(cell);
+    const int k = m_samples.longest_side(cell);
     const double s[3] = {m_sizes[cell.samples[0]], m_sizes[cell.samples[1]], m_sizes[cell.samples[2]]};
     const double smallest = (std::min)({s[0], s[1], s[2]}), largest = (std::max)({s[0], s[1], s[2]});
-    const double length = side_length(cell, k);
+    const double length = m_samples.side_length(cell, k);
     if(length > sides_per_size * smallest)
     {
       if(largest > (1. + size_tolerance) * smallest)
@@ -322,7 +306,7 @@ private:
       const int middle = middle_of_side(cell, k);
       // the cell at the other side may have it already, graded
       const double at_middle = middle < static_cast<int>(m_sizes.size()) ? m_sizes[middle]
-                                                                         : m_samples[middle].own_size;
+                                                                         : m_samples.own_size(middle);
       if(at_middle < interpolated / (1. + size_tolerance) || at_middle > (1. + size_tolerance) * interpolated)
         return true;
     }
@@ -336,11 +320,6 @@ private:
     return false;
   }
 
-  double asked_size(const int sample) const
-  {
-    return (std::min)(m_scale * m_samples[sample].own_size, m_samples[sample].cap);
-  }
-
   // Do the user's sizes differ more between two corners than the gradation allows? The curvature's are
   // not asked: they jump at every smooth junction of a flat and a round part, and what a fit says
   // between two vertices there is no better known than at the vertices.
@@ -348,8 +327,8 @@ private:
   {
     for(int k = 0; k < 3; ++k)
     {
-      const double a = m_samples[cell.samples[k]].user_size, b = m_samples[cell.samples[next(k)]].user_size;
-      const double allowed = slope_of_gradation(m_sources.options().gradation) * side_length(cell, k);
+      const double a = m_samples.user_size(cell.samples[k]), b = m_samples.user_size(cell.samples[next(k)]);
+      const double allowed = slope_of_gradation(m_sources.options().gradation) * m_samples.side_length(cell, k);
       if(std::abs(a - b) > (1. + size_tolerance) * allowed + size_tolerance * (std::min)(a, b))
         return true;
     }
@@ -372,7 +351,7 @@ private:
         double interpolated = 0.;
         for(int m = 0; m < 3; ++m)
         {
-          p += l[m] * m_samples[cell.samples[m]].position;
+          p += l[m] * m_samples.position(cell.samples[m]);
           interpolated += l[m] * s[m];
         }
         const double size = m_sources.of_user(p, location_of(cell, p));
@@ -385,10 +364,10 @@ private:
   void grade()
   {
     m_progress(0.);
-    m_is_sample_lowered = false;
+    m_samples.forget_lowered();
     m_sizes.resize(m_samples.size());
-    for(std::size_t i = 0; i < m_samples.size(); ++i)
-      m_sizes[i] = asked_size(static_cast<int>(i));
+    for(int i = 0; i < m_samples.size(); ++i)
+      m_sizes[i] = m_samples.asked_size(i, m_scale);
     m_frozen.lower(m_sizes);
     if(m_sources.options().gradation == 1.)
     {
@@ -400,7 +379,7 @@ private:
     for(int c = 0; c < m_cells.number_of_cells(); ++c)
       if(m_cells.is_leaf(c))
         leaves.push_back(m_cells[c].samples);
-    const auto position = [this](const int i) -> const Vector& { return m_samples[i].position; };
+    const auto position = [this](const int i) -> const Vector& { return m_samples.position(i); };
     limit_gradation(leaves, position, slope_of_gradation(m_sources.options().gradation), m_sizes, m_progress);
     if(!m_frozen.is_empty())
       m_frozen.raise(leaves, position, m_sizes, m_progress);

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 
+#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Triangle_tree.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
@@ -31,6 +32,8 @@ struct Face_deviation
   double deviation = 0.;
   Vector point = Vector::Zero();        // where it was measured
   Location location;                    // there, on the reference
+  bool is_on_protected_edge = false;    // is it there?
+  Deviation_obstacle obstacle = DEVIATION_AFTER_STOP;   // of a face that deviates too much
 };
 
 template <typename UserMesh>
@@ -85,7 +88,7 @@ public:
     collect_targets();
   }
 
-  const Deviations<UserMesh>& deviations() const { return m_deviations; }
+  Deviations<UserMesh>& deviations() { return m_deviations; }
 
   void measure()
   {
@@ -200,7 +203,7 @@ private:
   }
 
   void add(const Vector& p, const double deviation, const Location& location,
-           const std::initializer_list<int> at_faces)
+           const std::initializer_list<int> at_faces, const bool is_on_protected_edge = false)
   {
     m_sum += deviation;
     ++m_number;
@@ -211,6 +214,7 @@ private:
         entry.deviation = deviation;
         entry.point = p;
         entry.location = location;
+        entry.is_on_protected_edge = is_on_protected_edge;
       }
   }
 
@@ -275,7 +279,7 @@ private:
       }
       const Site site = m_mesh.reference().curve_site(curve, (m_mesh.parameter(s, curve)
                                                              + m_mesh.parameter(t, curve)) / 2.);
-      add(p, (site.point - p).norm(), site.location, {f, g});
+      add(p, (site.point - p).norm(), site.location, {f, g}, m_mesh.is_protected(h));
     }
   }
 
@@ -326,8 +330,23 @@ private:
       m_mesh.give_up_if_stopped();
       const std::pair<int, Vector> closest = tree.closest(target.point);
       target.face = index_of_facet[closest.first];
-      add(target.point, (closest.second - target.point).norm(), target.location, {target.face});
+      add(target.point, (closest.second - target.point).norm(), target.location, {target.face},
+          is_on_protected_edge(closest.second, m_deviations.faces[target.face].face));
     }
+  }
+
+  bool is_on_protected_edge(const Vector& p, const face_descriptor f) const
+  {
+    const TriangleMesh& tm = m_mesh.tmesh();
+    for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
+    {
+      if(!m_mesh.is_protected(h))
+        continue;
+      const Vector a = m_mesh.point(source(h, tm)), direction = m_mesh.point(target(h, tm)) - a;
+      if(direction.cross(p - a).norm() <= tolerance * direction.squaredNorm())
+        return true;
+    }
+    return false;
   }
 };
 

@@ -78,17 +78,17 @@ public:
   Stop_reason adapt()
   {
     if(!is_adapted(m_mesh))
-      return adapt_from(0, 0);
+      return adapt_from(0, m_maximum_number_of_iterations, 0);
     // only edges outside the widest band are treated, and what changes around them
     m_flipped_at = m_balanced_at = m_mesh.number_of_changes();
-    return adapt_from(number_of_widening_passes, 0);
+    return adapt_from(number_of_widening_passes, m_maximum_number_of_iterations, 0);
   }
 
   // same, where sizes or faces have changed since; the rest is left alone
-  Stop_reason adapt_again(const std::size_t since)
+  Stop_reason adapt_again(const std::size_t since, const int maximum_number_of_passes)
   {
-    m_flipped_at = m_balanced_at = m_improved_at = m_hunted_at = since;
-    return adapt_from(1, since);
+    m_flipped_at = m_balanced_at = since;
+    return adapt_from(1, (std::min)(m_maximum_number_of_iterations, maximum_number_of_passes), since);
   }
 
 private:
@@ -116,9 +116,9 @@ private:
     since_last(m_hinted_at, [&](const std::size_t since) { m_mesh.update_hints(since); return 0; });
   }
 
-  Stop_reason adapt_from(const int first_iteration, const std::size_t since_change)
+  Stop_reason adapt_from(const int first_iteration, const int number_of_iterations, const std::size_t since_change)
   {
-    for(int i = first_iteration; i < first_iteration + m_maximum_number_of_iterations; ++i)
+    for(int i = first_iteration; i < first_iteration + number_of_iterations; ++i)
     {
       ++m_number_of_iterations;
       const double bound = band(i);
@@ -129,7 +129,7 @@ private:
       since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
       if(changes > considerable_part * m_mesh.number_of_faces())
         update_hints();
-      m_mesh.report_progress(double(i + 1 - first_iteration) / m_maximum_number_of_iterations);
+      m_mesh.report_progress(double(i + 1 - first_iteration) / number_of_iterations);
       if(m_mesh.is_stopped())
         return STOPPED_BY_VISITOR;
       // a mesh that is full at first may have room after the collapses
@@ -140,7 +140,7 @@ private:
   }
 
 public:
-  // shapes: sizes come second, and the worst score that an operation touches never falls
+  // Shapes: sizes come second, and the worst score that an operation touches never falls.
   Stop_reason optimise(const Stop_reason reason, const std::size_t since_change = 0)
   {
     for(int i = 0; i < maximum_number_of_optimisation_passes; ++i)
@@ -155,8 +155,15 @@ public:
       if(is_negligible(changes, since_change))
         break;
     }
+    return m_mesh.is_stopped() ? STOPPED_BY_VISITOR : reason;
+  }
+
+  // The worst triangles one by one. Those with a quality above `satisfying_quality` are left alone even if the
+  // model is turned against them.
+  Stop_reason raise_worst(const Stop_reason reason, const double satisfying_quality = 1.)
+  {
     since_last(m_hunted_at, [&](const std::size_t since)
-               { return Worst_face_hunt<UserMesh>(m_mesh, satisfying_score).run(since); });
+               { return Worst_face_hunt<UserMesh>(m_mesh, satisfying_score, satisfying_quality).run(since); });
     update_hints();
     return m_mesh.is_stopped() ? STOPPED_BY_VISITOR : reason;
   }

@@ -10,12 +10,13 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_ENFORCE_DEVIATION_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_meter.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Refinement_attempts.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -23,97 +24,156 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Where a face deviates too much, asks the size map for the length that would do: a deviation goes
-// with the square of the length. `aim`: the part of the length that just does to ask for. Returns whether a
-// smaller size could be asked for anywhere.
+// Asks the size map for smaller sizes where faces deviate too much, and knows where that is of no use.
 template <typename UserMesh>
-bool refine_sizes(Working_mesh<UserMesh>& mesh, Size_map& sizes, const Deviations<UserMesh>& deviations,
-                  const double maximum_deviation, const double aim)
+class Deviation_refiner
 {
-  // never changes the size by more than this in one step
-  constexpr double largest_step = 0.35;
+  typedef Working_mesh<UserMesh> Mesh;
+  typedef Face_deviation<typename Mesh::face_descriptor> Entry;
+
+  Mesh& m_mesh;
+  Size_map& m_sizes;
+  double m_maximum_deviation;
+  Refinement_attempts m_attempts;
+
   // The adaptation leaves edges up to twice as long as their sizes. A face with a longer one has not followed
-  // the size that it has been asked for already: a protected edge, or a fold of the model, where
-  // every split makes slivers or turns faces over. A smaller size does not help it.
-  constexpr double longest_following_length = 2.2;
-  // a cap must lower the size by a visible amount to be worth another pass
-  constexpr double least_gain = 0.98;
-  std::vector<std::pair<Location, double> > caps;
-  const auto& tm = mesh.tmesh();
-  for(const auto& entry : deviations.faces)
+  // the size that it has been asked for already, as at a fold of the model, where every split makes slivers or
+  // turns faces over. A much smaller size does not help it; it is tried again with nearly the same.
+  static constexpr double longest_following_length = 2.2, reminder = 0.97;
+
+public:
+  Deviation_refiner(Mesh& mesh, Size_map& sizes, const double maximum_deviation)
+    : m_mesh(mesh), m_sizes(sizes), m_maximum_deviation(maximum_deviation)
+  {}
+
+  bool is_exceeded(const Entry& entry) const { return entry.deviation > m_maximum_deviation; }
+
+  void begin_round() { m_attempts.begin_round(); }
+
+  // Tells of all faces that deviate too much what keeps them from being refined, DEVIATION_AFTER_STOP if nothing does.
+  // Returns the number of those.
+  std::size_t find_obstacles(std::vector<Entry>& entries)
   {
-    if(entry.deviation <= maximum_deviation)
-      continue;
-    mesh.give_up_if_stopped();
-    double longest = 0.;
-    for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
-      longest = (std::max)(longest, mesh.length(h));
-    if(longest > longest_following_length * sizes(entry.location))
-      continue;
-    const double factor = (std::max)(largest_step, aim * std::sqrt(maximum_deviation / entry.deviation));
-    // at the corners too: the slope of the sizes would undo a cap in the middle alone
-    const auto cap_at = [&](const Location& location)
+    std::size_t number = 0;
+    for(Entry& entry : entries)
+      if(is_exceeded(entry))
+      {
+        m_mesh.give_up_if_stopped();
+        entry.obstacle = obstacle(entry);
+        number += entry.obstacle == DEVIATION_AFTER_STOP;
+      }
+    return number;
+  }
+
+  // Where nothing is in the way, asks for the length that would do: a deviation goes with the square of the
+  // length. `aim`: the part of the length that just does to ask for.
+  void refine(const std::vector<Entry>& entries, const double aim)
+  {
+    // never changes the size by more than this in one step
+    constexpr double largest_step = 0.35;
+    std::vector<std::pair<Location, double> > caps;
+    const auto& tm = m_mesh.tmesh();
+    for(const Entry& entry : entries)
     {
-      const double before = sizes(location);
-      const double cap = (std::max)(factor * (std::min)(longest, before), sizes.minimum_length());
-      if(cap >= least_gain * before)
-        return;
-      caps.push_back(std::make_pair(location, cap));
-    };
-    cap_at(entry.location);
-    for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
-      cap_at(mesh.data(target(h, tm)).site.location);
+      if(!is_exceeded(entry) || entry.obstacle != DEVIATION_AFTER_STOP)
+        continue;
+      const double longest = longest_edge(entry);
+      const double factor = longest > longest_following_length * m_sizes(entry.location) ? reminder
+        : (std::max)(largest_step, aim * std::sqrt(m_maximum_deviation / entry.deviation));
+      // at the corners too: the slope of the sizes would undo a cap in the middle alone
+      const auto cap_at = [&](const Location& location)
+      { caps.push_back(std::make_pair(location, factor * (std::min)(longest, m_sizes(location)))); };
+      cap_at(entry.location);
+      for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
+        cap_at(m_mesh.data(target(h, tm)).site.location);
+    }
+    for(const std::pair<Location, double>& cap : caps)
+      m_sizes.add_cap(cap.first, cap.second);
+    m_sizes.refine();
+    m_mesh.update_sizes();
   }
-  for(const std::pair<Location, double>& cap : caps)
-    sizes.add_cap(cap.first, cap.second);
-  if(!caps.empty())
+
+private:
+  double longest_edge(const Entry& entry) const
   {
-    sizes.refine();
-    mesh.update_sizes();
+    double longest = 0.;
+    for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, m_mesh.tmesh()), m_mesh.tmesh()))
+      longest = (std::max)(longest, m_mesh.length(h));
+    return longest;
   }
-  return !caps.empty();
-}
+
+  Deviation_obstacle obstacle(const Entry& entry)
+  {
+    // The centroid of a face at such an edge is two thirds as far away, however small the face is; and the sizes
+    // around start from the length of the edge.
+    if(entry.is_on_protected_edge || m_sizes.is_cap_exceeded(entry.location))
+      return DEVIATION_AT_PROTECTED_EDGE;
+    const double longest = longest_edge(entry), size = m_sizes(entry.location);
+    if(reminder * (std::min)(longest, size) <= m_sizes.minimum_length())
+      return DEVIATION_AT_SMALLEST_SIZE;
+    const auto& tm = m_mesh.tmesh();
+    std::array<int, 4> reference_faces = {{entry.location.face}};
+    auto h = halfedge(entry.face, tm);
+    for(int k = 1; k < 4; ++k, h = next(h, tm))
+      reference_faces[k] = m_mesh.data(target(h, tm)).site.location.face;
+    const bool is_hopeless =
+      m_attempts.is_hopeless(reference_faces, entry.point, longest, entry.deviation);
+    return is_hopeless ? DEVIATION_AT_FOLD : DEVIATION_AFTER_STOP;
+  }
+};
 
 // Lowers sizes where faces deviate too much, and adapts and measures again what that changes, until no face
-// deviates too much, or until it does not help: the number of the faces that do must fall to a clearly lower
-// one at least every third time. Where it does not, the bound cannot be met (protected edges, the
-// smallest size), and finer faces would only be more faces.
+// deviates too much, or until none of those that do can be helped.
 template <typename UserMesh>
 Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& sizes, Remesher<UserMesh>& remesher,
-                                       const double maximum_deviation, Stop_reason& stop_reason,
-                                       std::size_t& number_of_rounds)
+                                       const double maximum_deviation, std::size_t& number_of_rounds)
 {
-  constexpr int maximum_number_of_rounds = 20, patience = 3;
-  constexpr double clearly_lower = 0.9;
+  constexpr std::size_t maximum_number_of_rounds = 20;
+  // While this part of the faces or more is to be refined, their shapes do not matter yet, and one pass of the
+  // adaptation does.
+  constexpr double large_part = 0.01;
+  constexpr std::size_t maximum_number_of_coarse_rounds = 4;
+  // Few sizes change in one of the other rounds; at a fold of the model the passes would not come to rest.
+  constexpr int number_of_passes = 5;
+  // A fold cannot be helped by raising the scores of well-shaped triangles there.
+  constexpr double satisfying_quality = 0.6;
   // Edges may be longer than their size by the band in which they are left alone, the square root of two.
   // At first most of the faces that deviate too much are such accidents, and the next ones will not be;
   // then the few that are left are to do even so.
-  constexpr int number_of_first_rounds = 2;
+  constexpr std::size_t number_of_first_rounds = 2;
   constexpr double first_aim = 0.8, last_aim = 0.8 / 1.4142135623730951;
   Deviation_meter<UserMesh> meter(mesh, maximum_deviation);
+  Deviation_refiner<UserMesh> refiner(mesh, sizes, maximum_deviation);
   meter.measure();
-  std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
-  int rounds_without_gain = 0;
-  for(int round = 0; round < maximum_number_of_rounds; ++round)
+  std::size_t since_finished = mesh.number_of_changes();
+  for(bool is_finished = true; ; ++number_of_rounds)
   {
-    const Deviations<UserMesh>& deviations = meter.deviations();
-    const std::size_t number = std::count_if(deviations.faces.begin(), deviations.faces.end(),
-                                             [&](const auto& entry) { return entry.deviation > maximum_deviation; });
-    const bool is_gain = double(number) < clearly_lower * double(fewest);
-    rounds_without_gain = is_gain ? 0 : rounds_without_gain + 1;
-    if(is_gain)
-      fewest = number;
-    const std::size_t since = mesh.number_of_changes();
-    if(number == 0 || rounds_without_gain == patience || mesh.is_stopped() || mesh.is_full()
-       || !refine_sizes(mesh, sizes, deviations, maximum_deviation,
-                        round < number_of_first_rounds ? first_aim : last_aim))
+    refiner.begin_round();
+    const std::size_t number = refiner.find_obstacles(meter.deviations().faces);
+    const bool is_last = number == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds;
+    if(mesh.is_stopped() || (is_last && is_finished))
       break;
-    stop_reason = remesher.optimise(remesher.adapt_again(since), since);
+    const std::size_t since = mesh.number_of_changes();
+    is_finished = is_last || number_of_rounds >= maximum_number_of_coarse_rounds
+               || number <= large_part * meter.deviations().faces.size();
+    if(!is_last)
+      refiner.refine(meter.deviations().faces, number_of_rounds < number_of_first_rounds ? first_aim : last_aim);
+    if(is_finished)
+    {
+      remesher.adapt_again(since_finished, number_of_passes);
+      remesher.optimise(CONVERGED, since_finished);
+      remesher.raise_worst(CONVERGED, satisfying_quality);
+      since_finished = mesh.number_of_changes();
+    }
+    else
+      remesher.adapt_again(since, 1);
     meter.update(since);
-    ++number_of_rounds;
   }
   if(number_of_rounds > 0)
+  {
     meter.measure();
+    refiner.find_obstacles(meter.deviations().faces);
+  }
   return meter.deviations();
 }
 

@@ -39,7 +39,10 @@ void fill_report(const Working_mesh<UserMesh>& mesh, const Deviations<UserMesh>&
   report.is_maximum_deviation_met = report.is_deviation_measured && deviations.largest <= report.maximum_deviation;
   for(const auto& entry : deviations.faces)
     if(entry.deviation > report.maximum_deviation)
+    {
       report.faces_above_maximum_deviation.push_back(entry.face);
+      report.deviation_obstacles.push_back(entry.obstacle);
+    }
 
   report.number_of_splits = mesh.counts().splits;
   report.number_of_collapses = mesh.counts().collapses;

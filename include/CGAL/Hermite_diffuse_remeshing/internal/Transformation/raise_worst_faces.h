@@ -63,7 +63,7 @@ class Worst_face_hunt
   };
 
   Mesh& m_mesh;
-  double m_satisfying_score;
+  double m_satisfying_score, m_satisfying_quality;
   std::set<Entry> m_queue;
 
   // shape comes before size here, but not without limit: lengths relative to the size
@@ -77,7 +77,10 @@ class Worst_face_hunt
   static constexpr std::size_t largest_degree = 24;
 
 public:
-  Worst_face_hunt(Mesh& mesh, const double satisfying_score) : m_mesh(mesh), m_satisfying_score(satisfying_score) {}
+  // Faces with a better score, or with a better quality, are not worth a search.
+  Worst_face_hunt(Mesh& mesh, const double satisfying_score, const double satisfying_quality)
+    : m_mesh(mesh), m_satisfying_score(satisfying_score), m_satisfying_quality(satisfying_quality)
+  {}
 
   // returns the number of operations
   std::size_t run(const std::size_t since)
@@ -144,7 +147,8 @@ private:
 
   void push(const halfedge_descriptor h)
   {
-    if(face_worth(m_mesh, h).score < m_satisfying_score)
+    const Worth worth = face_worth(m_mesh, h);
+    if(worth.score < m_satisfying_score && worth.quality < m_satisfying_quality)
       m_queue.insert(make_entry(h));
   }
 

@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_SIZE_SAMPLES_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_SIZE_SAMPLES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// The points where a size is asked for: the corners of the cells of the size map.
+class Size_samples
+{
+  typedef Bisection_tree::Cell Cell;
+
+  struct Sample
+  {
+    Vector position;
+    double own_size;                      // of curvature, user and bounds, before gradation
+    double user_size;                     // the user's part of it
+    double cap;                           // asked for later
+  };
+
+  std::vector<Sample> m_samples;
+  bool m_is_lowered = false;
+
+public:
+  int size() const { return static_cast<int>(m_samples.size()); }
+  const Vector& position(const int i) const { return m_samples[i].position; }
+  double own_size(const int i) const { return m_samples[i].own_size; }
+  double user_size(const int i) const { return m_samples[i].user_size; }
+
+  // since the last call of `forget_lowered()`
+  bool is_lowered() const { return m_is_lowered; }
+  void forget_lowered() { m_is_lowered = false; }
+
+  void add(const Vector& position, const double size)
+  {
+    m_samples.push_back({position, size, size, std::numeric_limits<double>::infinity()});
+  }
+
+  // between two others; caps are linear there
+  void add_middle(const int a, const int b, const double size)
+  {
+    add((m_samples[a].position + m_samples[b].position) / 2., size);
+    m_samples.back().cap = (m_samples[a].cap + m_samples[b].cap) / 2.;
+  }
+
+  void lower(const int i, const double size)
+  {
+    if(!(size < m_samples[i].own_size))
+      return;
+    m_samples[i].own_size = size;
+    m_is_lowered = true;
+  }
+
+  void lower_user_size(const int i, const double size)
+  {
+    m_samples[i].user_size = (std::min)(m_samples[i].user_size, size);
+    lower(i, size);
+  }
+
+  double cap(const int i) const { return m_samples[i].cap; }
+  void lower_cap(const int i, const double size) { m_samples[i].cap = (std::min)(m_samples[i].cap, size); }
+
+  // before gradation; `scale`: of the own size
+  double asked_size(const int i, const double scale) const
+  {
+    return (std::min)(scale * m_samples[i].own_size, m_samples[i].cap);
+  }
+
+  double side_length(const Cell& cell, const int k) const
+  {
+    return (position(cell.samples[next(k)]) - position(cell.samples[k])).norm();
+  }
+
+  int longest_side(const Cell& cell) const
+  {
+    int longest = 0;
+    for(int k = 1; k < 3; ++k)
+      // a tie must not be decided by rounding
+      if(side_length(cell, k) > (1. + 1e-9) * side_length(cell, longest))
+        longest = k;
+    return longest;
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_SIZE_SAMPLES_H
