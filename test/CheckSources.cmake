@@ -21,8 +21,11 @@ foreach(_folder ${CGAL_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIR} ${EIGEN3_INCLUDE_DIRS
   endif()
 endforeach()
 
+add_test(NAME source_exact_kernel
+  COMMAND ${_check} exact_kernel "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})
+
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
-  include/*.h test/*.cpp examples/*.cpp)
+  include/*.h test/*.cpp examples/*.cpp benchmark/*.cpp)
 foreach(_source ${_sources})
   string(MAKE_C_IDENTIFIER "${_source}" _name)
   add_test(NAME "alone_${_name}"

@@ -62,6 +62,21 @@ compiles)
   echo "#include \"$root/$file\"" | "$@" -fsyntax-only -Wall -Wextra -Werror -x c++ - || exit 1
   ;;
 
+# exact_kernel COMPILER OPTIONS...: exact constructions are refused with a sentence
+exact_kernel)
+  shift
+  "$@" -fsyntax-only -x c++ - 2>&1 <<'END' | grep -q "need a kernel with floating point coordinates" \
+    || { echo "FAILED: a kernel with exact constructions is not refused with a sentence"; exit 1; }
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Surface_mesh.h>
+void f(CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>& mesh)
+{
+  CGAL::Polygon_mesh_processing::hermite_diffuse_remesh(mesh);
+}
+END
+  ;;
+
 # package WAY CMAKE_OPTIONS...: another project uses this one, installed or as a subfolder
 package)
   way=$2
