@@ -146,7 +146,13 @@ void sizes_for_number_of_elements(const TriangleMesh& tmesh, const FaceErrorMap&
  * has about the error `target_error`, the root of the sum of the squares of the errors of its elements, with
  * as few elements as possible. See `sizes_for_number_of_elements()`.
  *
+ * @param tmesh the mesh of the computation
+ * @param errors errors of the elements, not negative
+ * @param order \f$ p \f$: the error at a point goes with this power of the size
  * @param target_error larger than 0, in the unit of `errors`
+ * @param sizes output: lengths
+ *
+ * \throw std::invalid_argument if an argument is out of its range or an error is not finite
  */
 template <typename TriangleMesh, typename FaceErrorMap, typename VertexSizeMap>
 void sizes_for_error(const TriangleMesh& tmesh, const FaceErrorMap& errors, const double order,
