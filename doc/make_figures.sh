@@ -30,7 +30,6 @@ field()
   draw "$file" "$picture" --scalars="$name" --comp=0 --range="$range" --bar --colormap="$colors" "$@"
 }
 
-# the cup, with half of the first pass of a look from above
 before_after()
 {
   "$examples/make_sheet_metal_cup" cup.off > /dev/null
@@ -109,7 +108,7 @@ set boxwidth 0.02
 set xrange [0:1]
 set xlabel "quality of a triangle: 2 sqrt(3) inscribed radius / longest edge"
 set ylabel "part of the faces"
-set key top left
+set key top center
 plot "before.txt" using (\$1 - 0.011):2 with boxes lc rgb "#9a9a9a" title "joint.off", \
      "after.txt" using (\$1 + 0.011):2 with boxes lc rgb "#2a5ca8" title "remeshed, error 0.02"
 END
@@ -118,11 +117,12 @@ END
 textures()
 {
   "$examples/hermite_diffuse_attributes_example" > /dev/null
-  convert -size 512x512 pattern:checkerboard -scale 512x512 \( -size 512x512 gradient:orange-steelblue \) \
-    -compose multiply -composite -resize 512x512 textured.png
+  convert \( pattern:checkerboard -crop 30x30+0+0 +repage -scale 64x64! -colorspace gray -auto-level \
+             +level 55%,100% -write mpr:tile +delete -size 512x512 tile:mpr:tile \) \
+          \( -size 512x512 gradient:orange-lightblue \) -compose multiply -composite textured.png
   for mesh in textured_input textured_output; do
     draw $mesh.obj $mesh.png --edges --resolution=1100,1300 --up=+Z --camera-azimuth-angle=35 --camera-elevation-angle=15 \
-      --texture-base-color=textured.png
+      --geometry-only --texture-base-color=textured.png --color=1,1,1 --roughness=1
   done
   beside "$figures/textures.png" 900 textured_input.png textured_output.png
 }
