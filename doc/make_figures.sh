@@ -130,7 +130,8 @@ textures()
 region()
 {
   "$examples/hermite_diffuse_remesh_region_example" "$meshes/elephant.off" > /dev/null
-  draw region.off region.png --edges --resolution=1500,1500 --camera-azimuth-angle=20
+  draw region.off region.png --edges --resolution=2400,2400 --camera-azimuth-angle=20
+  convert region.png -trim +repage -gravity north -crop 100%x40%+0+0 +repage region.png
   beside "$figures/region.png" 600 region.png
 }
 

@@ -5,12 +5,6 @@ foreach(_name include_direction version_use no_output no_abort guards)
   add_test(NAME "source_${_name}" COMMAND ${_check} ${_name})
 endforeach()
 
-foreach(_way find_package add_subdirectory)
-  add_test(NAME "package_by_${_way}"
-    COMMAND ${_check} package ${_way} "-DCGAL_DIR=${CGAL_DIR}"
-            "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}")
-endforeach()
-
 # The other compiler has its say here: the build itself uses ${CMAKE_CXX_COMPILER}.
 find_program(Hermite_diffuse_remeshing_CHECK_COMPILER NAMES clang++ clang++-14 ${CMAKE_CXX_COMPILER}
              DOC "Compiler that checks every source alone")

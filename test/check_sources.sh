@@ -77,7 +77,7 @@ void f(CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Poi
 END
   ;;
 
-# package WAY CMAKE_OPTIONS...: another project uses this one, installed or as a subfolder
+# package WAY CMAKE_OPTIONS...: a program outside of the tree uses this package, installed or as a subfolder
 package)
   way=$2
   shift 2
@@ -105,11 +105,18 @@ add_executable(user_program main.cpp)
 target_link_libraries(user_program PRIVATE Hermite_diffuse_remeshing::Hermite_diffuse_remeshing)
 END
   cat > "$folder/user/program/main.cpp" <<END
-#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
-#include <Eigen/Core>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 int main()
 {
-  return CGAL::parameters::gradation(Eigen::Vector2d(0., 0.).sum()).v == 0. ? 0 : 1;
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+  CGAL::Surface_mesh<Point> mesh;
+  CGAL::make_icosahedron(mesh, Point(0., 0., 0.), 1.);
+  const auto report = CGAL::Polygon_mesh_processing::hermite_diffuse_remesh(mesh,
+    CGAL::parameters::approximation_error(0.1).sharp_dihedral_angle(180.));
+  return report.number_of_faces > 20 && report.smallest_quality > 0.5 ? 0 : 1;
 }
 END
   cmake -S "$folder/user" -B "$folder/build" "$@" > "$folder/log" 2>&1 \
