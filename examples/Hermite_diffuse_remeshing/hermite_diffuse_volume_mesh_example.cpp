@@ -89,7 +89,7 @@ int main(int argc, char* argv[])
 
   double smallest = 1., sum = 0.;
   std::size_t number = 0;
-  for(const auto cell : complex.cells_in_complex())
+  for(auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end(); ++cell)
   {
     const double q = quality(complex.triangulation().tetrahedron(cell));
     smallest = (std::min)(smallest, q);
