@@ -7,6 +7,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -97,7 +98,7 @@ void compare(const std::string& name, const Mesh& input, const Distance& distanc
 #ifdef HAS_ADAPTIVE_SIZES
   run(name, "isotropic, adaptive sizes", input, distance, [&](Mesh& mesh)
   {
-    const PMP::Adaptive_sizing_field<Mesh> sizes(sagitta, std::make_pair(0.2 * size, 5. * size), faces(mesh), mesh);
+    PMP::Adaptive_sizing_field<Mesh> sizes(sagitta, std::make_pair(0.2 * size, 5. * size), faces(mesh), mesh);
     PMP::isotropic_remeshing(faces(mesh), sizes, mesh, CGAL::parameters::number_of_iterations(number_of_iterations)
                                                          .edge_is_constrained_map(sharp_edges(mesh)));
   });
