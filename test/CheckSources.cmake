@@ -20,6 +20,9 @@ add_test(NAME source_exact_kernel
 
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
   include/*.h test/*.cpp examples/*.cpp benchmark/*.cpp)
+if(NOT CGAL_Qt5_FOUND AND NOT CGAL_Qt6_FOUND)
+  list(FILTER _sources EXCLUDE REGEX "/draw_")
+endif()
 foreach(_source ${_sources})
   string(MAKE_C_IDENTIFIER "${_source}" _name)
   add_test(NAME "alone_${_name}"
