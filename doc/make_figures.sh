@@ -149,8 +149,8 @@ set xlabel "faces of the irregular torus"
 set ylabel "rms distance to the torus / mean edge length"
 set key outside right
 set grid
-plot for [i = 2:6] "torus.txt" using 1:i with linespoints lw 2 pt 7 \
-  title word("facets PN-triangles the-paper's degree-2 degree-3", i - 1)
+array names[5] = ["facets", "PN-triangles", "the paper's model", "degree 2", "degree 3"]
+plot for [i = 2:6] "torus.txt" using 1:i with linespoints lw 2 pt 7 title names[i - 1]
 END
 }
 

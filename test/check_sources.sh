@@ -54,6 +54,24 @@ guards)
   done | expect_none "these include guards are not the path in capitals"
   ;;
 
+# The manual prints all examples, and shows all figures.
+manual_is_complete)
+  cd "$root" || exit 1
+  manual=doc/Hermite_diffuse_remeshing
+  {
+    for example in examples/Hermite_diffuse_remeshing/*_example.cpp; do
+      grep -q "cgalExample{Hermite_diffuse_remeshing/$(basename "$example")}" $manual/Hermite_diffuse_remeshing.txt \
+        || echo "$example"
+    done
+    for program in examples/Hermite_diffuse_remeshing/*.cpp; do
+      grep -q "example Hermite_diffuse_remeshing/$(basename "$program")\$" $manual/examples.txt || echo "$program"
+    done
+    for figure in $manual/fig/*; do
+      grep -q "image html $(basename "$figure") " $manual/Hermite_diffuse_remeshing.txt || echo "$figure"
+    done
+  } | expect_none "these are not in the manual"
+  ;;
+
 # compiles FILE COMPILER OPTIONS...: the file alone, without a warning
 compiles)
   file=$2

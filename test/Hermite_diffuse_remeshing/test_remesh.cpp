@@ -128,8 +128,17 @@ void test_part_of_mesh()
     else
       lower.push_back(t);
   }
-  PMP::hermite_diffuse_remesh(upper, output, params::approximation_error(0.01));
+  auto origins = output.add_property_map<Surface_mesh::Face_index, std::size_t>("f:origin").first;
+  PMP::hermite_diffuse_remesh(upper, output, params::approximation_error(0.01).face_origin_map(origins));
   check_result(input, output);
+  const std::set<Surface_mesh::Face_index> is_upper(upper.begin(), upper.end());
+  std::size_t rank = 0;
+  for(const auto f : faces(input))
+  {
+    if(is_upper.count(f) == 0)
+      assert(origins[f] == rank && triangle(output, f) == triangle(input, f));
+    ++rank;
+  }
   std::set<Triangle> result;
   for(const auto f : faces(output))
     result.insert(triangle(output, f));
