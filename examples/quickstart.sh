@@ -8,6 +8,7 @@ root=$(realpath "$(dirname "$0")/..")
 build=$root/build
 out=$build/quickstart
 . "$root/test/debian.sh"
+. "$root/doc/drawing.sh"
 
 # ---- what is needed ----
 install_missing g++ cmake make libcgal-dev libcgal-demo libeigen3-dev \
@@ -47,34 +48,19 @@ remesh fandisk  --approximation-error 0.02 --sharp-angle 40
 remesh cup      --approximation-error 0.02
 
 # ---- pictures ----
-off_to_obj()
-{
-  awk '/^[ \t\r]*(#|$)/ { next }
-       /^OFF/           { next }
-       !counts          { counts = 1; points = $1; next }
-       points-- > 0     { print "v", $1, $2, $3; next }
-                        { print "f", $2 + 1, $3 + 1, $4 + 1 }' "$1"
-}
-
 # picture NAME CAMERA...: both meshes with their edges, from the same side
 picture()
 {
   local name=$1 mesh
   shift
   for mesh in "$name" "${name}_remeshed"; do
-    off_to_obj "$out/$mesh.off" > "$out/$mesh.obj"
-    xvfb-run --auto-servernum f3d "$out/$mesh.obj" --output "$out/$mesh.png" --quiet --edges \
-      --resolution=1800,1500 --bg-color=1,1,1 "$@" < /dev/null > /dev/null 2>&1 || true
-    rm -f "$out/$mesh.obj"
-    if [ ! -s "$out/$mesh.png" ]; then
+    if ! draw "$out/$mesh.off" "$out/$mesh.png" --edges --resolution=1800,1500 "$@"; then
       echo "f3d could not draw $mesh: there is no picture of it."
       return 0
     fi
   done
   if command -v convert > /dev/null; then
-    convert \( "$out/$name.png" -trim \) \( "$out/${name}_remeshed.png" -trim \) \
-            -bordercolor white -border 30x10 -gravity center +append +repage -resize 1600x \
-            "$out/${name}_before_after.png"
+    beside "$out/${name}_before_after.png" 1600 "$out/$name.png" "$out/${name}_remeshed.png"
   fi
 }
 

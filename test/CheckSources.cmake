@@ -1,14 +1,8 @@
 # Tests of the sources themselves, registered by the package's CMakeLists.txt on request.
 
 set(_check bash "${PROJECT_SOURCE_DIR}/test/check_sources.sh")
-foreach(_name include_direction version_use no_output no_abort guards)
+foreach(_name include_direction version_use no_output no_abort guards manual_is_complete)
   add_test(NAME "source_${_name}" COMMAND ${_check} ${_name})
-endforeach()
-
-foreach(_way find_package add_subdirectory)
-  add_test(NAME "package_by_${_way}"
-    COMMAND ${_check} package ${_way} "-DCGAL_DIR=${CGAL_DIR}"
-            "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}")
 endforeach()
 
 # The other compiler has its say here: the build itself uses ${CMAKE_CXX_COMPILER}.
@@ -21,8 +15,14 @@ foreach(_folder ${CGAL_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIR} ${EIGEN3_INCLUDE_DIRS
   endif()
 endforeach()
 
+add_test(NAME source_exact_kernel
+  COMMAND ${_check} exact_kernel "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})
+
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
-  include/*.h test/*.cpp examples/*.cpp)
+  include/*.h test/*.cpp examples/*.cpp benchmark/*.cpp)
+if(NOT CGAL_Qt5_FOUND AND NOT CGAL_Qt6_FOUND)
+  list(FILTER _sources EXCLUDE REGEX "/draw_")
+endif()
 foreach(_source ${_sources})
   string(MAKE_C_IDENTIFIER "${_source}" _name)
   add_test(NAME "alone_${_name}"

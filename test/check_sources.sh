@@ -54,6 +54,24 @@ guards)
   done | expect_none "these include guards are not the path in capitals"
   ;;
 
+# The manual prints all examples, and shows all figures.
+manual_is_complete)
+  cd "$root" || exit 1
+  manual=doc/Hermite_diffuse_remeshing
+  {
+    for example in examples/Hermite_diffuse_remeshing/*_example.cpp; do
+      grep -q "cgalExample{Hermite_diffuse_remeshing/$(basename "$example")}" $manual/Hermite_diffuse_remeshing.txt \
+        || echo "$example"
+    done
+    for program in examples/Hermite_diffuse_remeshing/*.cpp; do
+      grep -q "example Hermite_diffuse_remeshing/$(basename "$program")\$" $manual/examples.txt || echo "$program"
+    done
+    for figure in $manual/fig/*; do
+      grep -q "image html $(basename "$figure") " $manual/Hermite_diffuse_remeshing.txt || echo "$figure"
+    done
+  } | expect_none "these are not in the manual"
+  ;;
+
 # compiles FILE COMPILER OPTIONS...: the file alone, without a warning
 compiles)
   file=$2
@@ -62,7 +80,22 @@ compiles)
   echo "#include \"$root/$file\"" | "$@" -fsyntax-only -Wall -Wextra -Werror -x c++ - || exit 1
   ;;
 
-# package WAY CMAKE_OPTIONS...: another project uses this one, installed or as a subfolder
+# exact_kernel COMPILER OPTIONS...: exact constructions are refused with a sentence
+exact_kernel)
+  shift
+  "$@" -fsyntax-only -x c++ - 2>&1 <<'END' | grep -q "need a kernel with floating point coordinates" \
+    || { echo "FAILED: a kernel with exact constructions is not refused with a sentence"; exit 1; }
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Surface_mesh.h>
+void f(CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>& mesh)
+{
+  CGAL::Polygon_mesh_processing::hermite_diffuse_remesh(mesh);
+}
+END
+  ;;
+
+# package WAY CMAKE_OPTIONS...: a program outside of the tree uses this package, installed or as a subfolder
 package)
   way=$2
   shift 2
@@ -90,11 +123,18 @@ add_executable(user_program main.cpp)
 target_link_libraries(user_program PRIVATE Hermite_diffuse_remeshing::Hermite_diffuse_remeshing)
 END
   cat > "$folder/user/program/main.cpp" <<END
-#include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
-#include <Eigen/Core>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 int main()
 {
-  return CGAL::parameters::gradation(Eigen::Vector2d(0., 0.).sum()).v == 0. ? 0 : 1;
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
+  CGAL::Surface_mesh<Point> mesh;
+  CGAL::make_icosahedron(mesh, Point(0., 0., 0.), 1.);
+  const auto report = CGAL::Polygon_mesh_processing::hermite_diffuse_remesh(mesh,
+    CGAL::parameters::approximation_error(0.1).sharp_dihedral_angle(180.));
+  return report.number_of_faces > 20 && report.smallest_quality > 0.5 ? 0 : 1;
 }
 END
   cmake -S "$folder/user" -B "$folder/build" "$@" > "$folder/log" 2>&1 \

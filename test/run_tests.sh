@@ -8,7 +8,7 @@
 #   --build DIR      the build folder (build/test, or build/test-cgal with --cgal)
 #   --sanitize KIND  with the address and undefined-behaviour sanitizers, KIND `address`, or with that of
 #                    threads, KIND `thread`; takes many times as long
-#   --programs LIST  only these programs, separated by blanks, and their tests
+#   --programs LIST  only these programs, separated by blanks, and their tests, and that an installed package is found
 #   --check-sources  also check the sources themselves: every header alone, warnings, includes
 #
 # CXX and CXXFLAGS are passed on to CMake.
@@ -95,7 +95,7 @@ targets=()
 selection=()
 if [ ${#programs[@]} -gt 0 ]; then
   targets=(--target "${programs[@]}")
-  selection=(-R "$(IFS='|'; echo "${programs[*]}")")
+  selection=(-R "$(IFS='|'; echo "${programs[*]}|package_by_find_package")")
 fi
 cmake --build "$build" --parallel "$(number_of_jobs)" "${targets[@]}" -- --keep-going || true
 

@@ -1,6 +1,7 @@
 // The public surface as an object: what it asks of its traits, how much memory it takes, threads, and meshes
 // that are stored in any order.
 
+#include "archetypes.h"
 #include "irregular_meshes.h"
 
 #include <CGAL/Hermite_diffuse_surface.h>
@@ -28,54 +29,6 @@
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace np = CGAL::parameters;
 typedef CGAL::Simple_cartesian<double> Kernel;
-
-// ---- the least that a model of HermiteDiffuseRemeshingTraits provides
-
-namespace archetype {
-
-struct Point
-{
-  explicit Point(const double x, const double y, const double z) : c{{x, y, z}} {}
-  std::array<double, 3> c;
-};
-struct Vector
-{
-  Vector() : Vector(0., 0., 0.) {}
-  explicit Vector(const double x, const double y, const double z) : c{{x, y, z}} {}
-  std::array<double, 3> c;
-};
-
-template <int I>
-struct Compute
-{
-  double operator()(const Point& p) const { return p.c[I]; }
-  double operator()(const Vector& v) const { return v.c[I]; }
-};
-template <typename T>
-struct Construct
-{
-  T operator()(const double x, const double y, const double z) const { return T(x, y, z); }
-};
-
-struct Traits
-{
-  typedef double FT;
-  typedef Point Point_3;
-  typedef Vector Vector_3;
-  typedef Compute<0> Compute_x_3;
-  typedef Compute<1> Compute_y_3;
-  typedef Compute<2> Compute_z_3;
-  typedef Construct<Point> Construct_point_3;
-  typedef Construct<Vector> Construct_vector_3;
-
-  Compute_x_3 compute_x_3_object() const { return Compute_x_3(); }
-  Compute_y_3 compute_y_3_object() const { return Compute_y_3(); }
-  Compute_z_3 compute_z_3_object() const { return Compute_z_3(); }
-  Construct_point_3 construct_point_3_object() const { return Construct_point_3(); }
-  Construct_vector_3 construct_vector_3_object() const { return Construct_vector_3(); }
-};
-
-} // namespace archetype
 
 template <typename Mesh>
 Mesh make_mesh(const analytic::Triangles& triangles)

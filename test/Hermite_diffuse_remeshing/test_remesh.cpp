@@ -1,6 +1,7 @@
 #include "test_helpers.h"
 
 #include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Hermite_diffuse_remeshing/Attribute_transfer.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Polyhedron_3.h>
@@ -127,8 +128,17 @@ void test_part_of_mesh()
     else
       lower.push_back(t);
   }
-  PMP::hermite_diffuse_remesh(upper, output, params::approximation_error(0.01));
+  auto origins = output.add_property_map<Surface_mesh::Face_index, std::size_t>("f:origin").first;
+  PMP::hermite_diffuse_remesh(upper, output, params::approximation_error(0.01).face_origin_map(origins));
   check_result(input, output);
+  const std::set<Surface_mesh::Face_index> is_upper(upper.begin(), upper.end());
+  std::size_t rank = 0;
+  for(const auto f : faces(input))
+  {
+    if(is_upper.count(f) == 0)
+      assert(origins[f] == rank && triangle(output, f) == triangle(input, f));
+    ++rank;
+  }
   std::set<Triangle> result;
   for(const auto f : faces(output))
     result.insert(triangle(output, f));
@@ -291,6 +301,113 @@ void test_output_maps()
   assert(largest == report.largest_deviation);
 }
 
+// a torus with texture coordinates, whose seams cross at a vertex: all attributes arrive
+void test_attribute_transfer()
+{
+  std::cout << "attribute transfer" << std::endl;
+  typedef std::array<double, 2> Coordinates;
+  typedef std::pair<std::size_t, std::array<double, 3> > Location;
+  const int n[2] = {48, 24};
+  const double pi = 3.14159265358979323846, tube = 0.4;
+  const auto torus = [&](const Coordinates& uv)
+  {
+    const double u = 2. * pi * uv[0], v = 2. * pi * uv[1], r = 1. + tube * std::cos(v);
+    return Point_3(r * std::cos(u), r * std::sin(u), tube * std::sin(v));
+  };
+  Surface_mesh mesh;
+  std::vector<Surface_mesh::Vertex_index> vertices;
+  for(int i = 0; i < n[0]; ++i)
+    for(int j = 0; j < n[1]; ++j)
+      vertices.push_back(mesh.add_vertex(torus({{double(i) / n[0], double(j) / n[1]}})));
+  auto uv = mesh.add_property_map<Surface_mesh::Halfedge_index, Coordinates>("h:uv").first;
+  auto label = mesh.add_property_map<Surface_mesh::Face_index, std::string>("f:label").first;
+  for(int i = 0; i < n[0]; ++i)
+    for(int j = 0; j < n[1]; ++j)
+      for(const bool is_lower : {true, false})
+      {
+        const std::array<std::array<int, 2>, 3> corners = {{{{i, j}}, {{i + 1, is_lower ? j : j + 1}},
+                                                            {{is_lower ? i + 1 : i, j + 1}}}};
+        std::array<Surface_mesh::Vertex_index, 3> v;
+        for(int k = 0; k < 3; ++k)
+          v[k] = vertices[(corners[k][0] % n[0]) * n[1] + corners[k][1] % n[1]];
+        const Surface_mesh::Face_index f = mesh.add_face(v[0], v[1], v[2]);
+        label[f] = i < n[0] / 2 ? "first" : "second";
+        for(const auto h : halfedges_around_face(mesh.halfedge(f), mesh))
+        {
+          const auto k = std::find(v.begin(), v.end(), mesh.target(h)) - v.begin();
+          uv[h] = {{double(corners[k][0]) / n[0], double(corners[k][1]) / n[1]}};
+        }
+      }
+  auto height = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:height").first;
+  auto color = mesh.add_property_map<Surface_mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
+  auto vector = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Vector_3>("v:vector").first;
+  auto number = mesh.add_property_map<Surface_mesh::Vertex_index, int>("v:number").first;
+  for(const auto v : mesh.vertices())
+  {
+    height[v] = mesh.point(v).z();
+    color[v] = CGAL::IO::Color(static_cast<unsigned char>(100. + 200. * mesh.point(v).z()), 7, 255);
+    vector[v] = mesh.point(v) - CGAL::ORIGIN;
+    number[v] = int(v);
+  }
+  Surface_mesh original = mesh;
+  auto is_seam = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:seam", false).first;
+  HDR::mark_seams(mesh, uv, is_seam);
+  assert(std::count(is_seam.begin(), is_seam.end(), true) == n[0] + n[1]);
+
+  auto locations = mesh.add_property_map<Surface_mesh::Vertex_index, Location>("v:location").first;
+  auto origins = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:origin").first;
+  PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.02).edge_is_constrained_map(is_seam)
+                                      .vertex_location_map(locations).face_origin_map(origins));
+  HDR::Attribute_transfer<Surface_mesh, decltype(locations), decltype(origins)> transfer(original, mesh, locations, origins);
+  // the copy has the properties under the same names
+  transfer.transfer_corner_values(original.add_property_map<Surface_mesh::Halfedge_index, Coordinates>("h:uv").first, uv);
+  transfer.transfer_face_values(original.add_property_map<Surface_mesh::Face_index, std::string>("f:label").first, label);
+  transfer.transfer_vertex_values(original.add_property_map<Surface_mesh::Vertex_index, double>("v:height").first, height);
+  transfer.transfer_vertex_values(original.add_property_map<Surface_mesh::Vertex_index, CGAL::IO::Color>("v:color").first, color);
+  transfer.transfer_vertex_values(original.add_property_map<Surface_mesh::Vertex_index, Kernel::Vector_3>("v:vector").first, vector);
+  transfer.transfer_vertex_labels(original.add_property_map<Surface_mesh::Vertex_index, int>("v:number").first, number);
+
+  // values that are linear on the facets miss the surface by a small part of a cell of the input
+  const double cell = 2. * pi * (1. + tube) / n[0], near = 0.05 * cell;
+  for(const auto f : mesh.faces())
+  {
+    Coordinates smallest = {{1., 1.}}, largest = {{0., 0.}};
+    for(const auto h : halfedges_around_face(mesh.halfedge(f), mesh))
+    {
+      assert(CGAL::squared_distance(torus(uv[h]), mesh.point(mesh.target(h))) < CGAL::square(near));
+      for(int k = 0; k < 2; ++k)
+      {
+        smallest[k] = (std::min)(smallest[k], uv[h][k]);
+        largest[k] = (std::max)(largest[k], uv[h][k]);
+      }
+    }
+    // the other side of a seam would be a whole turn away
+    assert(largest[0] - smallest[0] < 0.3 && largest[1] - smallest[1] < 0.3);
+    if(largest[0] < 0.5 - 1. / n[0])
+      assert(label[f] == "first");
+    if(smallest[0] > 0.5 + 1. / n[0])
+      assert(label[f] == "second");
+  }
+  std::size_t number_of_kept = 0;
+  for(const auto v : mesh.vertices())
+  {
+    assert(std::abs(height[v] - mesh.point(v).z()) < near);
+    assert(CGAL::squared_distance(CGAL::ORIGIN + vector[v], mesh.point(v)) < CGAL::square(near));
+    assert(std::abs(int(color[v].red()) - (100. + 200. * mesh.point(v).z())) < 2. + 200. * near);
+    assert(color[v].green() == 7 && color[v].blue() == 255);
+    const Point_3& p = original.point(Surface_mesh::Vertex_index(number[v]));
+    assert(CGAL::squared_distance(p, mesh.point(v)) < CGAL::square(1.5 * cell));
+    if(p == mesh.point(v))
+    {
+      ++number_of_kept;
+      assert(height[v] == p.z() && CGAL::ORIGIN + vector[v] == p);
+    }
+  }
+  assert(number_of_kept > 0);                       // where the seams cross
+  for(const auto e : mesh.edges())
+    assert(is_seam[e] == HDR::internal::is_seam(mesh.halfedge(e, 0), mesh, uv));
+}
+
 int main(int argc, char** argv)
 {
   // more meshes may be given by their files
@@ -314,6 +431,7 @@ int main(int argc, char** argv)
   test_size_field();
   test_visitor();
   test_output_maps();
+  test_attribute_transfer();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

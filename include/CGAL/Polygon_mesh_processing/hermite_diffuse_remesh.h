@@ -237,7 +237,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_origin_map}
- *     \cgalParamDescription{output: rank of the face of the input that the centroid of a remeshed face lies on}
+ *     \cgalParamDescription{output: rank in `faces(tmesh)` before the call of the face that the centroid of a face lies
+ *       on; a face that is not remeshed has its own}
  *     \cgalParamType{a model of `WritablePropertyMap` with key type `face_descriptor` and value type `std::size_t`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
@@ -271,6 +272,7 @@ namespace Polygon_mesh_processing {
  * \throw std::bad_alloc if there is too little memory. Before the adaptation begins the mesh is unchanged then.
  *
  * @sa `CGAL::Hermite_diffuse_surface`
+ * @sa `CGAL::Hermite_diffuse_remeshing::Attribute_transfer`
  */
 template <typename FaceRange, typename TriangleMesh,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -114,7 +114,8 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
                if(!repairs.empty())
                  watched.stage("repair", [&] { carry_out_repairs(repairs, user, input); });
              },
-             [&](const auto& mesh, const auto& deviations) { write_output_maps(mesh, deviations, input.face_ranks, pack); },
+             [&](const auto& mesh, const auto& deviations)
+             { write_output_maps(mesh, deviations, input.face_descriptors, input.face_ranks, pack); },
              report);
   return report;
 }

@@ -24,9 +24,10 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // Writes where the vertices lie on the input, their sizes, the classes of the edges and the faces' origins and
-// deviations. Face i of the reference is the one with rank `face_ranks[i]` of the user's mesh.
+// deviations. Face i of the reference was face `face_descriptors[i]`, with rank `face_ranks[i]`, of the user's mesh.
 template <typename Mesh, typename Deviation, typename Pack>
 void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations,
+                       const std::vector<typename Mesh::face_descriptor>& face_descriptors,
                        const std::vector<std::size_t>& face_ranks, const Pack& pack)
 {
   using parameters::choose_parameter;
@@ -54,6 +55,9 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
     }
   for(const edge_descriptor e : edges(mesh.tmesh()))
     put(class_map, e, mesh.edge_class(halfedge(e, mesh.tmesh())));
+  for(std::size_t i = 0; i < face_descriptors.size(); ++i)
+    if(!mesh.is_reference_face_remeshed(static_cast<int>(i)))
+      put(origin_map, face_descriptors[i], face_ranks[i]);
   for(const face_descriptor f : faces(mesh.tmesh()))
     if(mesh.is_remeshed(f))
       put(origin_map, f, face_ranks[mesh.hint(f)]);

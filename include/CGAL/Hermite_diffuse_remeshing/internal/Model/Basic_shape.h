@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_BASIC_SHAPE_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_BASIC_SHAPE_H
 
+#include <CGAL/Hermite_diffuse_remeshing/Model_choices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 
 #include <Eigen/Cholesky>
@@ -18,22 +19,6 @@
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
-
-/*!
- * \ingroup PkgHermiteDiffuseRemeshingRef
- *
- * tells what kind of surface a region of a mesh is.
- */
-enum Basic_surface_type
-{
-  FREE_FORM_SURFACE,   ///< none of the following
-  PLANE_SURFACE,       ///< `point` on it, `direction` is its normal
-  SPHERE_SURFACE,      ///< centre `point`, `radius`
-  CYLINDER_SURFACE,    ///< axis through `point` along `direction`, `radius`
-  CONE_SURFACE,        ///< apex `point`, axis along `direction` into the cone, `half_angle`
-  TORUS_SURFACE        ///< centre `point`, axis along `direction`, `radius` of the circle in the middle of the tube,
-                       ///< `tube_radius`
-};
 
 namespace internal {
 

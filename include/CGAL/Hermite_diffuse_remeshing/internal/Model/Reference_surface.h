@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_SURFACE_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_SURFACE_H
 
+#include <CGAL/Hermite_diffuse_remeshing/Model_choices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/interpolation_weights.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/node_normals.h>
@@ -21,19 +22,6 @@
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
-
-/*!
- * \ingroup PkgHermiteDiffuseRemeshingRef
- *
- * chooses how the surface is evaluated between the nodes.
- */
-enum Surface_model
-{
-  CONTINUOUS_MODEL, ///< a fit at every query, in a frame that moves with it: continuous across edges
-  PAPER_MODEL       ///< the form printed by Rassineux et al.: one quadratic per face, fitted at its centroid to
-                    ///< normals weighted by area with \f$ t = 1/2 \f$. It jumps across edges, and its curvature
-                    ///< does not converge on irregular meshes; it is there for comparison
-};
 
 namespace internal {
 

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_NODE_NORMALS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_NODE_NORMALS_H
 
+#include <CGAL/Hermite_diffuse_remeshing/Model_choices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Local_polynomial.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_neighborhood.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
@@ -19,19 +20,6 @@
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
-
-/*!
- * \ingroup PkgHermiteDiffuseRemeshingRef
- *
- * chooses how the normals at the nodes are found from the positions.
- */
-enum Normal_estimation
-{
-  FITTED_NORMALS,   ///< quartic fit over two rings, lower degrees where it is not determined: order 3 to 4
-  SMOOTH_NORMALS,   ///< three sweeps of quadratic Hermite fits: for noisy positions
-  MAX_NORMALS,      ///< weights of Max (1999), exact on a sphere: order 1 in general
-  AREA_NORMALS      ///< weighted by area as in the paper: order 1
-};
 
 namespace internal {
 

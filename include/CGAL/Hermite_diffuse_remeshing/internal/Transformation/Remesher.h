@@ -118,6 +118,13 @@ private:
 
   Stop_reason adapt_from(const int first_iteration, const int number_of_iterations, const std::size_t since_change)
   {
+    const Stop_reason result = run_passes(first_iteration, number_of_iterations, since_change);
+    update_hints();
+    return result;
+  }
+
+  Stop_reason run_passes(const int first_iteration, const int number_of_iterations, const std::size_t since_change)
+  {
     for(int i = first_iteration; i < first_iteration + number_of_iterations; ++i)
     {
       ++m_number_of_iterations;
