@@ -275,7 +275,12 @@ namespace Polygon_mesh_processing {
  * @sa `CGAL::Hermite_diffuse_remeshing::Attribute_transfer`
  */
 template <typename FaceRange, typename TriangleMesh,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          // a variable of named parameters, which is no mesh, belongs to the other overload
+          , typename = typename boost::graph_traits<TriangleMesh>::face_descriptor
+#endif
+          >
 Hermite_diffuse_remeshing::Remeshing_report<TriangleMesh>
 hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
                        const NamedParameters& np = parameters::default_values())

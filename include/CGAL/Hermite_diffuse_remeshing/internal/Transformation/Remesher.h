@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REMESHER_H
 
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Length_band.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/collapse_short_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/mesh_statistics.h>
@@ -18,7 +19,6 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -35,16 +35,6 @@ class Remesher
   // changes of the mesh when an operator last began
   std::size_t m_flipped_at = 0, m_balanced_at = 0, m_improved_at = 0, m_hinted_at = 0, m_hunted_at = 0;
 
-  // Edges between 1/band and band times their size are left alone. The paper's factor 2 comes first,
-  // because the longest and shortest edges shape the rest; then a band below sqrt(2), in which the halves
-  // of a split edge may be short again: what is split and collapsed in turn for a few passes loses
-  // irregular vertices. Then slowly wider ones, where that comes to rest.
-  static constexpr double widest_band = 2., tightest_band = 1.25, widening = 1.08;
-  static constexpr int number_of_tight_passes = 3;
-  static constexpr int number_of_widening_passes = 10;     // until the band is as wide as it was first
-  // Splits leave more short edges than collapses leave long ones: without this factor the edges would be a few
-  // percent shorter than their sizes on the average, and there would be more faces than predicted.
-  static constexpr double band_center = 1.035;
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
   static constexpr double negligible_part = 5e-4;
   // of the faces: where fewer changes are made in a pass, faces are still near where they were at its beginning
@@ -62,18 +52,6 @@ public:
 
   int number_of_iterations() const { return m_number_of_iterations; }
 
-  // Halving makes lengths that are simple multiples of a size. A limit slightly off such numbers is not
-  // decided by rounding.
-  static constexpr double off_simple_ratios = 1.00137;
-
-  static double band(const int iteration)
-  {
-    if(iteration == 0)
-      return off_simple_ratios * widest_band;
-    const int widenings = (std::max)(0, iteration - number_of_tight_passes);
-    return off_simple_ratios * (std::min)(widest_band, tightest_band * std::pow(widening, widenings));
-  }
-
   // sizes: every edge into its band
   Stop_reason adapt()
   {
@@ -81,7 +59,7 @@ public:
       return adapt_from(0, m_maximum_number_of_iterations, 0);
     // only edges outside the widest band are treated, and what changes around them
     m_flipped_at = m_balanced_at = m_mesh.number_of_changes();
-    return adapt_from(number_of_widening_passes, m_maximum_number_of_iterations, 0);
+    return adapt_from(Length_band::number_of_widening_passes, m_maximum_number_of_iterations, 0);
   }
 
   // same, where sizes or faces have changed since; the rest is left alone
@@ -128,8 +106,7 @@ private:
     for(int i = first_iteration; i < first_iteration + number_of_iterations; ++i)
     {
       ++m_number_of_iterations;
-      const double bound = band(i);
-      const double longest = band_center * bound, shortest = band_center / bound;
+      const double longest = Length_band::longest(i), shortest = Length_band::shortest(i);
       std::size_t changes = split_long_edges(m_mesh, longest, since_change);
       changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
       changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_VALENCE, since); });

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_LENGTH_BAND_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_LENGTH_BAND_H
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Which lengths of edges, in units of their sizes, a pass of the adaptation leaves alone
+class Length_band
+{
+  // Edges between 1/band and band times their size are left alone. The paper's factor 2 comes first,
+  // because the longest and shortest edges shape the rest; then a band below sqrt(2), in which the halves
+  // of a split edge may be short again: what is split and collapsed in turn for a few passes loses
+  // irregular vertices. Then slowly wider ones, where that comes to rest.
+  static constexpr double widest_band = 2., tightest_band = 1.25, widening = 1.08;
+  static constexpr int number_of_tight_passes = 3;
+  // Splits leave more short edges than collapses leave long ones: without this factor the edges would be a few
+  // percent shorter than their sizes on the average, and there would be more faces than predicted.
+  static constexpr double band_center = 1.035;
+  // Halving makes lengths that are simple multiples of a size. A limit slightly off such numbers is not
+  // decided by rounding.
+  static constexpr double off_simple_ratios = 1.00137;
+
+public:
+  // until the band is as wide as it was first
+  static constexpr int number_of_widening_passes = 10;
+
+  static double longest(const int pass) { return band_center * band(pass); }
+  static double shortest(const int pass) { return band_center / band(pass); }
+
+private:
+  static double band(const int pass)
+  {
+    if(pass == 0)
+      return off_simple_ratios * widest_band;
+    const int widenings = (std::max)(0, pass - number_of_tight_passes);
+    return off_simple_ratios * (std::min)(widest_band, tightest_band * std::pow(widening, widenings));
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_LENGTH_BAND_H
