@@ -60,6 +60,8 @@
   ADD(number_of_iterations_t, number_of_iterations, number_of_iterations)        \
   ADD(visitor_t, visitor, visitor)
 
+#include <type_traits>
+
 namespace CGAL {
 namespace internal_np {
 
@@ -89,6 +91,13 @@ struct Parameter_chain
   CGAL_HDR_SHARED_PARAMETERS(CGAL_HDR_LINK)
 #undef CGAL_HDR_LINK
 };
+
+template <typename T>
+struct is_named_parameters : std::false_type {};
+template <typename T, typename Tag, typename Base>
+struct is_named_parameters<Named_function_parameters<T, Tag, Base> > : std::true_type {};
+template <typename T, typename Tag, typename Base>
+struct is_named_parameters<Parameter_chain<T, Tag, Base> > : std::true_type {};
 
 // The pack of CGAL behind either kind of argument: a chain has two bases that
 // are packs, its own and the nested one.

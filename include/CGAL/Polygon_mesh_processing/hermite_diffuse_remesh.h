@@ -14,8 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/remesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
-#include <boost/graph/graph_traits.hpp>
-
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -278,7 +277,8 @@ template <typename FaceRange, typename TriangleMesh,
           typename NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           // a variable of named parameters, which is no mesh, belongs to the other overload
-          , typename = typename boost::graph_traits<TriangleMesh>::face_descriptor
+          , typename = std::enable_if_t<
+              !Hermite_diffuse_remeshing::internal::is_named_parameters<TriangleMesh>::value>
 #endif
           >
 Hermite_diffuse_remeshing::Remeshing_report<TriangleMesh>
