@@ -172,12 +172,13 @@ void test_constraints()
         constrained.insert({mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))});
       }
     const Surface_mesh input = mesh;
-    // CGAL's names may follow ours in the chain
-    PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.005)
-                                        .edge_is_constrained_map(is_constrained)
-                                        .face_patch_map(label)
-                                        .protect_constraints(protect)
-                                        .corner_angle(180.));
+    // CGAL's names may follow ours in the chain, which may be a variable
+    auto parameters = params::approximation_error(0.005)
+                        .edge_is_constrained_map(is_constrained)
+                        .face_patch_map(label)
+                        .protect_constraints(protect)
+                        .corner_angle(180.);
+    PMP::hermite_diffuse_remesh(mesh, parameters);
     check_result(input, mesh);
     std::size_t number = 0;
     for(const auto e : edges(mesh))

@@ -11,6 +11,8 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <type_traits>
+
 // The parameters that CGAL does not have, and those of CGAL that may follow them in a chain.
 // A chain started by one of ours takes both kinds in any order; a chain started by a name of
 // CGAL takes names of CGAL only, because `Named_function_parameters` has a closed list.
@@ -59,8 +61,6 @@
   ADD(maximum_running_time_t, maximum_running_time, maximum_running_time)          \
   ADD(number_of_iterations_t, number_of_iterations, number_of_iterations)        \
   ADD(visitor_t, visitor, visitor)
-
-#include <type_traits>
 
 namespace CGAL {
 namespace internal_np {
