@@ -116,7 +116,7 @@ public:
       return true;
     if(!m_guard->allows(made, replaced, [this](const face_descriptor f) { return triangle(f); }))
       return false;
-    spoil_balls(made);
+    spoil_balls(made, center == Graph_traits::null_vertex());
     return true;
   }
 
@@ -215,13 +215,12 @@ private:
       }
     }
     if(ball.radius < radius && ball.bound >= radius)
+    {
       search(v, radius);
-    else
-      return ball.radius >= radius;
-    if(ball.radius < radius)
-      return false;
-    search(v, reach_of_search * radius);
-    return true;
+      if(ball.radius >= radius)
+        search(v, reach_of_search * radius);
+    }
+    return ball.radius >= radius;
   }
 
   void search(const vertex_descriptor v, double radius)
@@ -284,18 +283,21 @@ private:
     }
   }
 
-  // triangles that turn from an axis end what was known around them
-  void spoil_balls(const Numbered_triangles& made)
+  // Triangles that turn from an axis end what was known around them for good; where a border moves, it has to be
+  // found again.
+  void spoil_balls(const Numbered_triangles& made, const bool is_border_moved)
   {
-    const auto spoil = [this](const int number)
+    const auto spoil = [&](const int number)
     {
-      m_balls[number].radius = 0.;
-      m_balls[number].bound = 0.;
+      m_balls[number] = Clear_ball();
+      if(!is_border_moved)
+        m_balls[number].bound = 0.;
     };
     for(const Numbered_triangle& t : made)
       for(const int number : t.vertices)
       {
-        if(number < 0 || !(m_balls[number].radius > 0.) || faces_axis(t, m_balls[number].axis, least_cosine_made))
+        if(number < 0 || (!is_border_moved && (!(m_balls[number].radius > 0.)
+                                               || faces_axis(t, m_balls[number].axis, least_cosine_made))))
           continue;
         spoil(number);
         visit_copies(this->vertex(number), [&](const vertex_descriptor copy)
