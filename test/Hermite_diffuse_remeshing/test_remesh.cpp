@@ -409,6 +409,52 @@ void test_attribute_transfer()
     assert(is_seam[e] == HDR::internal::is_seam(mesh.halfedge(e, 0), mesh, uv));
 }
 
+// Sheets closer to each other than the chords of the result are high: they would pass through each other.
+void test_close_sheets()
+{
+  std::cout << "close sheets" << std::endl;
+  const double pi = analytic::pi, gap = 0.01, longest = 0.7;
+  std::vector<Surface_mesh> inputs;
+  // two tori, one inside the other
+  analytic::Torus inner;
+  inner.r -= gap;
+  analytic::Triangles tori = analytic::Torus().mesh(6000, 1), inner_triangles = inner.mesh(6000, 2);
+  for(const std::array<std::size_t, 3>& t : inner_triangles.faces)
+    tori.faces.push_back({{t[0] + tori.points.size(), t[2] + tori.points.size(), t[1] + tori.points.size()}});
+  tori.points.insert(tori.points.end(), inner_triangles.points.begin(), inner_triangles.points.end());
+  inputs.push_back(make_mesh<Surface_mesh>(tori));
+  // a hollow ramp that winds three times around its axis: all of it hangs together and faces upwards
+  inputs.push_back(make_mesh<Surface_mesh>(analytic::irregular_grid(180, 14, false, false, 0.3, 1,
+    [&](const double u, const double v)
+    {
+      const double angle = 6. * pi * u, radius = 0.2 + 0.8 * v;
+      return analytic::Point{{radius * std::cos(angle), radius * std::sin(angle),
+                              2. * gap * angle / (2. * pi) + 0.5 * radius * radius}};
+    })));
+  // a bent sheet, folded back over itself
+  inputs.push_back(make_mesh<Surface_mesh>(analytic::irregular_grid(160, 24, false, false, 0.3, 1,
+    [&](const double u, const double v)
+    {
+      const double s = 4. * u - 2.;     // along the fold: the one side, the rim, the other side
+      const double rim = 0.2, turn = std::abs(s) < rim ? pi * s / (2. * rim) : s > 0. ? pi / 2. : -pi / 2.;
+      const double angle = std::abs(s) < rim ? gap * std::cos(turn) : rim - std::abs(s);
+      const double radius = 1. + gap * std::sin(turn);
+      return analytic::Point{{radius * std::cos(angle), radius * std::sin(angle), v}};
+    })));
+
+  for(const Surface_mesh& input : inputs)
+  {
+    assert(!PMP::does_self_intersect(input));
+    Surface_mesh guarded = input, unguarded = input;
+    const auto sizes = params::approximation_error(0.1).gradation(2.).maximum_edge_length(longest);
+    PMP::hermite_diffuse_remesh(guarded, sizes);
+    check_result(input, guarded);
+    assert(guarded.number_of_faces() < input.number_of_faces());
+    PMP::hermite_diffuse_remesh(unguarded, sizes.do_self_intersection_tests(false));
+    assert(PMP::does_self_intersect(unguarded));     // otherwise the shape would prove nothing
+  }
+}
+
 int main(int argc, char** argv)
 {
   // more meshes may be given by their files
@@ -433,6 +479,7 @@ int main(int argc, char** argv)
   test_visitor();
   test_output_maps();
   test_attribute_transfer();
+  test_close_sheets();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }
