@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -87,6 +88,12 @@ public:
       for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
         cap_at(m_mesh.data(target(h, tm)).site.location);
     }
+    // the cells that are bisected depend on the order, which must not be that of a type of mesh
+    std::sort(caps.begin(), caps.end(), [](const std::pair<Location, double>& a, const std::pair<Location, double>& b)
+    {
+      return std::tie(a.first.face, a.first.coordinates, a.second)
+           < std::tie(b.first.face, b.first.coordinates, b.second);
+    });
     for(const std::pair<Location, double>& cap : caps)
       m_sizes.add_cap(cap.first, cap.second);
     m_sizes.refine();
