@@ -19,7 +19,7 @@ add_test(NAME source_exact_kernel
   COMMAND ${_check} exact_kernel "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})
 
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
-  include/*.h test/*.cpp examples/*.cpp benchmark/*.cpp)
+  include/*.h examples/*.cpp benchmark/*.cpp)
 if(NOT CGAL_Qt5_FOUND AND NOT CGAL_Qt6_FOUND)
   list(FILTER _sources EXCLUDE REGEX "/draw_")
 endif()
