@@ -80,10 +80,10 @@ inline const char* name(const Deviation_obstacle obstacle)
 {
   switch(obstacle)
   {
-    case DEVIATION_AT_PROTECTED_EDGE:       return "protected_edge";
-    case DEVIATION_AT_SMALLEST_SIZE: return "smallest_size";
-    case DEVIATION_AT_FOLD:         return "fold";
-    case DEVIATION_AFTER_STOP:           return "stop";
+    case DEVIATION_AT_PROTECTED_EDGE: return "protected_edge";
+    case DEVIATION_AT_SMALLEST_SIZE:  return "smallest_size";
+    case DEVIATION_AT_FOLD:           return "fold";
+    case DEVIATION_AFTER_STOP:        return "stop";
   }
   return "unknown";
 }

@@ -93,12 +93,11 @@ public:
                                                        model_diameter(reference.surface.triangles())));
     m_search = get(CGAL::dynamic_face_property_t<std::size_t>(), this->m_user.tmesh);
     m_balls.resize(this->m_vertices.size());
-    constexpr std::size_t steps_per_question = 64;
     std::size_t step = 0;
     for(const face_descriptor f : faces(tmesh()))
     {
       // no operation will ask the guard
-      if(step++ % steps_per_question == 0 && user.visitor.is_stop_requested())
+      if(this->is_stopped_at(step++))
         return;
       note(f);
     }

@@ -136,6 +136,14 @@ public:
   const TriangleMesh& tmesh() const { return m_user.tmesh; }
   std::size_t number_of_faces() const { return m_number_of_faces; }
 
+  bool is_stopped() const { return m_user.visitor.is_stop_requested(); }
+  // in loops with steps that are shorter than the question
+  bool is_stopped_at(const std::size_t step) const
+  {
+    constexpr std::size_t steps_per_question = 64;
+    return step % steps_per_question == 0 && is_stopped();
+  }
+
   // \name Data of the elements
   int index(const vertex_descriptor v) const { return get(m_vertex_index, v); }
   const Vertex& data(const vertex_descriptor v) const { return m_vertices[index(v)]; }

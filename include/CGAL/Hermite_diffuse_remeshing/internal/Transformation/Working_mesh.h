@@ -70,6 +70,7 @@ public:
   using Base::siblings;
   using Base::visit_copies;
   using Base::has_changed;
+  using Base::is_stopped;
   using Base::touch_around;
   using Base::touch_quadrangle;
   using Base::add_vertex;
@@ -94,13 +95,6 @@ public:
   const Operation_counts& counts() const { return m_counts; }
 
   // \name Control
-  bool is_stopped() const { return m_user.visitor.is_stop_requested(); }
-  // in loops with steps that are shorter than the question
-  bool is_stopped_at(const std::size_t step) const
-  {
-    constexpr std::size_t steps_per_question = 64;
-    return step % steps_per_question == 0 && is_stopped();
-  }
   // for what only reads the mesh
   void give_up_if_stopped() const
   {
