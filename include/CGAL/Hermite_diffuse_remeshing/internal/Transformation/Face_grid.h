@@ -110,6 +110,18 @@ public:
     return result;
   }
 
+  // May a face with the box stay in a cell? It may reach half a cell beyond it.
+  static bool holds(const Cell& cell, const Bounding_box& box)
+  {
+    // a face that has become much smaller is found faster in a smaller cell
+    constexpr double least_share = 0.25;
+    const double size = cell_size(cell.key.level);
+    for(int i = 0; i < 3; ++i)
+      if(box.low[i] < (double(cell.key.place[i]) - 0.5) * size || box.high[i] > (double(cell.key.place[i]) + 1.5) * size)
+        return false;
+    return (box.high - box.low).maxCoeff() >= least_share * size;
+  }
+
   // returns the cell, which stays where it is
   Cell* insert(const Face f, const Cell_key& key)
   {

@@ -14,8 +14,13 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Normal_cone.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Sheet_view.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -30,8 +35,9 @@ namespace internal {
 // Most operations take place where the surface is a single sheet, and are allowed without a search: in a clear
 // ball all faces hang together and, seen along an axis, lie side by side and face the viewer. There an operation
 // that fills a contour anew with triangles that face the viewer too cannot make them meet: seen from the axis they
-// cover the inside of the contour once. A ball is found by one search and serves many operations: what is clear
-// around a vertex is clear around its neighbours, in a ball that is smaller by their distance.
+// cover the inside of the contour once. A ball is found by one search and serves all operations inside it from then
+// on, whatever vertices come and go there: each vertex remembers a ball that it lies in, and asks its neighbours for
+// theirs.
 template <typename UserMesh>
 class Guarded_mesh : public Mesh_elements<UserMesh>
 {
@@ -43,29 +49,38 @@ public:
   typedef typename Base::vertex_descriptor vertex_descriptor;
   typedef typename Base::halfedge_descriptor halfedge_descriptor;
   typedef typename Base::face_descriptor face_descriptor;
+  typedef std::array<const Vector*, 3> Corners;
 
 private:
-  // around a vertex
   struct Clear_ball
   {
-    Vector axis = Vector::Zero();
-    double radius = 0.;                                             // at least
-    double bound = (std::numeric_limits<double>::infinity)();       // at most
+    Vector center, axis;
+    double radius;                      // 0: the ball is clear no more
+  };
+
+  // what is known around a vertex
+  struct Surroundings
+  {
+    int ball = -1;
+    double bound = (std::numeric_limits<double>::infinity)();       // no ball around it has a larger radius
+    bool is_moved = false;              // the guard has still to be told of the faces around it
   };
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t> >::type Search_map;
 
   std::unique_ptr<Intersection_guard<TriangleMesh> > m_guard;       // null: intersections are not looked for
-  std::vector<Clear_ball> m_balls;                                  // by the number of the vertex
+  std::vector<Clear_ball> m_balls;
+  std::vector<Surroundings> m_surroundings;                         // by the number of the vertex
+  std::vector<int> m_moved;                                         // vertices that have moved, of which some are gone
   Search_map m_search;                                              // the last search that has met the face
   std::size_t m_number_of_searches = 0;
   Sheet_view m_view;
-  std::vector<face_descriptor> m_queue;
-  std::vector<std::pair<double, std::size_t> > m_sheet;             // distances of faces in the queue
+  std::vector<face_descriptor> m_met;                               // by the search
+  std::vector<std::pair<double, std::size_t> > m_queue;             // distances of faces that were met; a heap
 
-  // A search that succeeds looks again, as many times as far as asked for, so that its ball serves the neighbours too.
+  // A search looks farther than asked for, as many times as far, so that its ball serves the neighbours too.
   static constexpr double reach_of_search = 2.5;
-  // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball must be larger by this
-  // than what takes place in it.
+  // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
+  // than what is clear.
   static constexpr double clearance = 1.25;
   // Angles to the axis in radians: of the faces that are found in a ball, and the cosine of the angle of those that
   // may be made there. What is between them is what normals change while chords of the surface are exchanged.
@@ -92,7 +107,7 @@ public:
     m_guard.reset(new Intersection_guard<TriangleMesh>(this->m_user.tmesh,
                                                        model_diameter(reference.surface.triangles())));
     m_search = get(CGAL::dynamic_face_property_t<std::size_t>(), this->m_user.tmesh);
-    m_balls.resize(this->m_vertices.size());
+    m_surroundings.resize(this->m_vertices.size());
     std::size_t step = 0;
     for(const face_descriptor f : faces(tmesh()))
     {
@@ -105,14 +120,29 @@ public:
 
   bool is_guarded() const { return m_guard != nullptr; }
 
-  // May the one triangles take the place of the others? `center`: a vertex at which the operation takes place, if
-  // nothing changes but what is inside a contour; null otherwise.
+  // Does an operation take place in a clear ball? `center`: a vertex at which it takes place, if nothing changes but
+  // what is inside a contour; null otherwise.
+  template <typename Triangles>
+  bool is_clear(const vertex_descriptor center, const Triangles& made, const Triangles& replaced)
+  {
+    if(center == Graph_traits::null_vertex())
+      return false;
+    double squared_radius = 0.;
+    for(const Triangles* const triangles : {&made, &replaced})
+      for(const auto& t : *triangles)
+        for(int i = 0; i < 3; ++i)
+          squared_radius = (std::max)(squared_radius, (corner(t, i) - point(center)).squaredNorm());
+    const int ball = find_ball(center, std::sqrt(squared_radius));
+    return ball != -1 && std::all_of(made.begin(), made.end(), [&](const auto& t)
+                                     { return faces_axis(t, m_balls[ball].axis, least_cosine_made); });
+  }
+
+  // May the one triangles take the place of the others?
   bool is_free(const vertex_descriptor center, const Numbered_triangles& made, const Numbered_triangles& replaced)
   {
-    if(!m_guard)
+    if(!m_guard || is_clear(center, made, replaced))
       return true;
-    if(center != Graph_traits::null_vertex() && is_in_clear_ball(center, made, replaced))
-      return true;
+    note_moved();
     if(!m_guard->allows(made, replaced, [this](const face_descriptor f) { return triangle(f); }))
       return false;
     spoil_balls(made, center == Graph_traits::null_vertex());
@@ -127,15 +157,13 @@ protected:
       m_guard->note(f, triangle(f).points);
   }
 
+  // The guard is told when it is asked: many vertices have moved again until then.
   void note_around(const vertex_descriptor v)
   {
-    if(m_guard)
-      visit_copies(v, [&](const vertex_descriptor copy)
-      {
-        for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
-          if(!CGAL::is_border(h, tmesh()))
-            note(face(h, tmesh()));
-      });
+    if(!m_guard || m_surroundings[index(v)].is_moved)
+      return;
+    m_surroundings[index(v)].is_moved = true;
+    m_moved.push_back(index(v));
   }
 
   // before faces around v are removed
@@ -156,33 +184,35 @@ protected:
   {
     if(!m_guard)
       return;
-    m_balls.resize(this->m_vertices.size());
-    m_balls[number] = Clear_ball();
+    m_surroundings.resize(this->m_vertices.size());
+    m_surroundings[number] = Surroundings();
   }
 
   void move_ball(const int number, const double distance)
   {
-    if(!m_guard)
-      return;
-    m_balls[number].radius -= distance;
-    m_balls[number].bound += distance;
+    if(m_guard)
+      m_surroundings[number].bound += distance;
   }
 
 private:
-  bool is_in_clear_ball(const vertex_descriptor v, const Numbered_triangles& made, const Numbered_triangles& replaced)
+  void note_moved()
   {
-    double squared_radius = 0.;
-    for(const Numbered_triangles* const triangles : {&made, &replaced})
-      for(const Numbered_triangle& t : *triangles)
-        for(const Vector& p : t.points)
-          squared_radius = (std::max)(squared_radius, (p - point(v)).squaredNorm());
-    const double radius = clearance * std::sqrt(squared_radius);
-    const Clear_ball& ball = m_balls[index(v)];
-    if(ball.radius < radius && !(ball.bound >= radius && has_large_ball(v, radius)))
-      return false;
-    return std::all_of(made.begin(), made.end(), [&](const Numbered_triangle& t)
-                       { return faces_axis(t, ball.axis, least_cosine_made); });
+    for(const int number : m_moved)
+    {
+      m_surroundings[number].is_moved = false;
+      if(this->vertex(number) != Graph_traits::null_vertex())
+        visit_copies(this->vertex(number), [&](const vertex_descriptor copy)
+        {
+          for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
+            if(!CGAL::is_border(h, tmesh()))
+              note(face(h, tmesh()));
+        });
+    }
+    m_moved.clear();
   }
+
+  static const Vector& corner(const Numbered_triangle& t, const int i) { return t.points[i]; }
+  static const Vector& corner(const Corners& t, const int i) { return *t[i]; }
 
   static Vector unit_normal(const Numbered_triangle& t)
   {
@@ -190,113 +220,118 @@ private:
     return n / n.norm();
   }
 
-  static bool faces_axis(const Numbered_triangle& t, const Vector& axis, const double least_cosine)
+  template <typename Triangle>
+  static bool faces_axis(const Triangle& t, const Vector& axis, const double least_cosine)
   {
-    const Vector n = (t.points[1] - t.points[0]).cross(t.points[2] - t.points[0]);
+    const Vector n = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
     return n.dot(axis) > least_cosine * n.norm();
   }
 
-  // Looks for a ball that is large enough among those of the neighbours, then in the mesh. What is too close to
-  // the neighbours for a ball will be too close to the vertex.
-  bool has_large_ball(const vertex_descriptor v, const double radius)
+  bool holds(const Clear_ball& ball, const Vector& center, const double radius) const
   {
-    Clear_ball& ball = m_balls[index(v)];
+    return ball.radius >= radius && (center - ball.center).squaredNorm() <= CGAL::square(ball.radius - radius);
+  }
+
+  // A clear ball that holds the one around v with the radius: that of v, one of its neighbours, or a new one; -1 if
+  // there is none. What is too close to the neighbours for a ball will be too close to v.
+  int find_ball(const vertex_descriptor v, const double radius)
+  {
+    Surroundings& around = m_surroundings[index(v)];
+    if(around.ball != -1 && holds(m_balls[around.ball], point(v), radius))
+      return around.ball;
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
     {
-      const Clear_ball& other = m_balls[index(source(h, tmesh()))];
-      const double length = this->length(h);
-      ball.bound = (std::min)(ball.bound, other.bound + length);
-      const double inherited = other.radius - length;
-      if(inherited > ball.radius)
-      {
-        ball.radius = inherited;
-        ball.axis = other.axis;
-      }
+      const Surroundings& other = m_surroundings[index(source(h, tmesh()))];
+      if(other.ball != -1 && other.ball != around.ball && holds(m_balls[other.ball], point(v), radius))
+        return around.ball = other.ball;
+      around.bound = (std::min)(around.bound, other.bound + this->length(h));
     }
-    if(ball.radius < radius && ball.bound >= radius)
-    {
-      search(v, radius);
-      if(ball.radius >= radius)
-        search(v, reach_of_search * radius);
-    }
-    return ball.radius >= radius;
+    return around.bound >= radius && search(v, radius) ? around.ball : -1;
   }
 
-  void search(const vertex_descriptor v, double radius)
+  // Looks for a ball around v, with the radius at least. Faces are met in the order of their distances, as far as they
+  // hang together; the ball ends at the first that turns from the others or lies above them, or at another sheet.
+  bool search(const vertex_descriptor v, const double radius)
   {
-    Clear_ball& ball = m_balls[index(v)];
+    note_moved();
     const Vector center = point(v);
-    const double first_radius = radius;
-    collect_sheet(v, radius);
-    const Vector reach = Vector::Constant(radius);
-    m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f)
-    {
-      if(get(m_search, f) != m_number_of_searches)
-        radius = (std::min)(radius, m_guard->box(f).distance(center));
-      return true;
-    });
-    std::sort(m_sheet.begin(), m_sheet.end());
-
-    Normal_cone cone(unit_normal(triangle(m_queue.front())), least_angle);
+    double clear = clearance * reach_of_search * radius;
+    begin_search(v);
+    Normal_cone cone(unit_normal(triangle(m_met.front())), least_angle);
     m_view.clear();
-    for(const std::pair<double, std::size_t>& entry : m_sheet)
+    while(!m_queue.empty() && m_queue.front().first < clear)
     {
-      if(entry.first >= radius)
-        break;
-      const Numbered_triangle t = triangle(m_queue[entry.second]);
-      if(cone.add(unit_normal(t), largest_angle_found))
-        m_view.add(t, entry.first);
-      else
-        radius = entry.first;
+      const double distance = m_queue.front().first;
+      const face_descriptor f = m_met[m_queue.front().second];
+      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
+      m_queue.pop_back();
+      const Numbered_triangle t = triangle(f);
+      if(!cone.add(unit_normal(t), largest_angle_found))
+        clear = distance;
+      m_view.add(t, distance);
+      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tmesh()), tmesh()))
+        meet(opposite(h, tmesh()), center);
     }
-    radius = m_view.simple_radius(cone.axis(), radius);
-    ball.radius = radius;
-    ball.axis = cone.axis();
-    ball.bound = radius < first_radius ? radius : (std::numeric_limits<double>::infinity)();
+    if(clear >= clearance * radius)
+      clear = m_view.simple_radius(cone.axis(), clear);
+    if(clear >= clearance * radius)
+    {
+      const Vector reach = Vector::Constant(clear);
+      m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f)
+      {
+        if(get(m_search, f) != m_number_of_searches)
+          clear = (std::min)(clear, m_guard->box(f).distance(center));
+        return true;
+      });
+    }
+    Surroundings& around = m_surroundings[index(v)];
+    if(clear < clearance * radius)
+    {
+      around.bound = clear / clearance;
+      return false;
+    }
+    around.ball = static_cast<int>(m_balls.size());
+    m_balls.push_back({center, cone.axis(), clear / clearance});
+    return true;
   }
 
-  // the faces that hang together with v and begin within the radius
-  void collect_sheet(const vertex_descriptor v, const double radius)
+  void begin_search(const vertex_descriptor v)
   {
     ++m_number_of_searches;
-    m_sheet.clear();
+    m_met.clear();
     m_queue.clear();
-    const auto meet = [&](const halfedge_descriptor h)
-    {
-      if(CGAL::is_border(h, tmesh()) || get(m_search, face(h, tmesh())) == m_number_of_searches)
-        return;
-      put(m_search, face(h, tmesh()), m_number_of_searches);
-      m_queue.push_back(face(h, tmesh()));
-    };
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-      meet(h);
-    for(std::size_t i = 0; i < m_queue.size(); ++i)
-    {
-      const face_descriptor f = m_queue[i];
-      const double distance = m_guard->box(f).distance(point(v));
-      if(distance >= radius)
-        continue;
-      m_sheet.push_back(std::make_pair(distance, i));
-      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tmesh()), tmesh()))
-        meet(opposite(h, tmesh()));
-    }
+      meet(h, point(v));
   }
 
-  // Triangles that turn from an axis end what was known around them for good; where a border moves, it has to be
-  // found again.
+  void meet(const halfedge_descriptor h, const Vector& center)
+  {
+    if(CGAL::is_border(h, tmesh()) || get(m_search, face(h, tmesh())) == m_number_of_searches)
+      return;
+    put(m_search, face(h, tmesh()), m_number_of_searches);
+    m_queue.push_back(std::make_pair(m_guard->box(face(h, tmesh())).distance(center), m_met.size()));
+    std::push_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
+    m_met.push_back(face(h, tmesh()));
+  }
+
+  // Triangles that turn from the axis end a ball for good; where a border moves, it has to be found again.
   void spoil_balls(const Numbered_triangles& made, const bool is_border_moved)
   {
     const auto spoil = [&](const int number)
     {
-      m_balls[number] = Clear_ball();
-      if(!is_border_moved)
-        m_balls[number].bound = 0.;
+      Surroundings& around = m_surroundings[number];
+      if(around.ball != -1)
+        m_balls[around.ball].radius = 0.;
+      around.ball = -1;
+      around.bound = is_border_moved ? (std::numeric_limits<double>::infinity)() : 0.;
     };
     for(const Numbered_triangle& t : made)
       for(const int number : t.vertices)
       {
-        if(number < 0 || (!is_border_moved && (!(m_balls[number].radius > 0.)
-                                               || faces_axis(t, m_balls[number].axis, least_cosine_made))))
+        if(number < 0)
+          continue;
+        const int ball = m_surroundings[number].ball;
+        if(!is_border_moved && (ball == -1 || m_balls[ball].radius == 0. || faces_axis(t, m_balls[ball].axis, least_cosine_made)))
           continue;
         spoil(number);
         visit_copies(this->vertex(number), [&](const vertex_descriptor copy)

@@ -55,16 +55,13 @@ public:
   // the face is new, or has moved
   void note(const face_descriptor f, const std::array<Vector, 3>& points)
   {
-    Place place;
+    Place place = get(m_places, f);
     place.box = Bounding_box(points);
-    const typename Grid::Cell_key key = m_grid.key(place.box);
-    const Place& before = get(m_places, f);
-    place.cell = before.cell;
-    if(before.cell == nullptr || !(before.cell->key == key))
+    if(place.cell == nullptr || !Grid::holds(*place.cell, place.box))
     {
-      if(before.cell != nullptr)
-        m_grid.erase(f, before.cell);
-      place.cell = m_grid.insert(f, key);
+      if(place.cell != nullptr)
+        m_grid.erase(f, place.cell);
+      place.cell = m_grid.insert(f, m_grid.key(place.box));
     }
     put(m_places, f, place);
   }

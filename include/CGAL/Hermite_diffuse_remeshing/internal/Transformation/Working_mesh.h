@@ -157,8 +157,7 @@ public:
     m_user.visitor.before_edge_flip(edge(h, tm));
     touch_quadrangle(h);
     CGAL::Euler::flip_edge(h, tm);
-    note(face(h, tm));
-    note(face(opposite(h, tm), tm));
+    note_around(target(h, tm));
     ++m_counts.flips;
     m_user.visitor.after_edge_flip(edge(h, tm));
   }

@@ -73,13 +73,24 @@ template <typename UserMesh>
 bool is_relocation_free(Working_mesh<UserMesh>& mesh,
                         const typename Working_mesh<UserMesh>::vertex_descriptor v, const Site& site)
 {
+  typedef Working_mesh<UserMesh> Mesh;
   if(!mesh.is_guarded())
     return true;
+  const auto& tm = mesh.tmesh();
+  const auto center = center_of_disc(mesh, v);
+  if(center != Mesh::Graph_traits::null_vertex())
+  {
+    boost::container::small_vector<typename Mesh::Corners, 12> moved;
+    for(const auto h : CGAL::halfedges_around_target(v, tm))
+      moved.push_back({{&mesh.point(source(h, tm)), &site.point, &mesh.point(target(next(h, tm), tm))}});
+    if(mesh.is_clear(center, moved, moved))
+      return true;
+  }
   const Numbered_triangles replaced = triangles_around(mesh, {v});
   Numbered_triangles made;
   for(const Numbered_triangle& t : replaced)
     made.push_back(with_corner(t, mesh.index(v), mesh.index(v), site.point));
-  return mesh.is_free(center_of_disc(mesh, v), made, replaced);
+  return mesh.is_free(center, made, replaced);
 }
 
 template <typename UserMesh>
