@@ -57,9 +57,9 @@ public:
   {
     if(!is_adapted(m_mesh))
       return adapt_from(0, m_maximum_number_of_iterations, 0);
-    // only edges outside the widest band are treated, and what changes around them
-    m_flipped_at = m_balanced_at = m_mesh.number_of_changes();
-    return adapt_from(Length_band::number_of_widening_passes, m_maximum_number_of_iterations, 0);
+    // only edges that are far off are treated, and what changes around them
+    m_flipped_at = m_balanced_at = m_improved_at = m_mesh.number_of_changes();
+    return adapt_from(Length_band::first_mending_pass, m_maximum_number_of_iterations, 0);
   }
 
   // same, where sizes or faces have changed since; the rest is left alone

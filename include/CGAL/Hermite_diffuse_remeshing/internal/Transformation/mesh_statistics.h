@@ -42,16 +42,17 @@ Quality_statistics measure_quality(const Indexed_triangles& triangles, const IsS
   return result;
 }
 
-template <typename UserMesh>
-Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh)
+// `is_counted(halfedge)` selects faces
+template <typename UserMesh, typename IsCounted>
+Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh, const IsCounted& is_counted)
 {
   Quality_statistics result;
   std::size_t number = 0;
   for(const auto f : faces(mesh.tmesh()))
   {
-    if(!mesh.is_remeshed(f))
-      continue;
     const auto h = halfedge(f, mesh.tmesh());
+    if(!mesh.is_remeshed(f) || !is_counted(h))
+      continue;
     const double q = quality(mesh.point(source(h, mesh.tmesh())), mesh.point(target(h, mesh.tmesh())),
                              mesh.point(target(next(h, mesh.tmesh()), mesh.tmesh())));
     result.smallest = (std::min)(result.smallest, q);
@@ -62,7 +63,12 @@ Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh)
   return result;
 }
 
-// part of the edges with a length between half and twice their size
+template <typename UserMesh>
+Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh)
+{
+  return measure_quality(mesh, [](const auto) { return true; });
+}
+
 // lengths of the edges in units of their sizes
 struct Size_statistics
 {
@@ -95,21 +101,23 @@ Size_statistics measure_sizes(const Working_mesh<UserMesh>& mesh, const IsCounte
 }
 
 // Has the mesh the sizes already, and good triangles, as after a run with the same sizes? A second run leaves
-// such a mesh nearly as it is. The edges at curves do not count: close curves, and whole numbers of edges on short
-// ones, force other lengths than the sizes.
+// such a mesh nearly as it is. What lies at curves does not count: close curves, and whole numbers of edges on short
+// ones, force other lengths than the sizes, and with them other shapes.
 template <typename UserMesh>
 bool is_adapted(const Working_mesh<UserMesh>& mesh)
 {
   // what the loop reaches, by a little more than what sizes change when the model is fitted to its result
   constexpr double least_share_within_2 = 0.95, least_share_within_sqrt_2 = 0.8, largest_mean = 0.15;
   constexpr double least_mean_quality = 0.85;
-  const Size_statistics sizes = measure_sizes(mesh, [&](const auto h)
-  {
-    return mesh.data(source(h, mesh.tmesh())).type == SURFACE_VERTEX
-        && mesh.data(target(h, mesh.tmesh())).type == SURFACE_VERTEX;
-  });
+  const auto& tm = mesh.tmesh();
+  const auto is_inside = [&](const auto v) { return mesh.data(v).type == SURFACE_VERTEX; };
+  const auto has_ends_inside = [&](const auto h) { return is_inside(source(h, tm)) && is_inside(target(h, tm)); };
+  const Size_statistics sizes = measure_sizes(mesh, has_ends_inside);
   return sizes.within_2 >= least_share_within_2 && sizes.within_sqrt_2 >= least_share_within_sqrt_2
-      && std::abs(sizes.mean_log2) <= largest_mean && measure_quality(mesh).mean >= least_mean_quality;
+      && std::abs(sizes.mean_log2) <= largest_mean
+      && measure_quality(mesh, [&](const auto h)
+         { return has_ends_inside(h) || has_ends_inside(next(h, tm)) || has_ends_inside(prev(h, tm)); }).mean
+         >= least_mean_quality;
 }
 
 } // namespace internal
