@@ -150,10 +150,10 @@ bool is_flip_free(Working_mesh<UserMesh>& mesh, const typename Working_mesh<User
   return mesh.is_free(mesh.has_copies(c) ? Working_mesh<UserMesh>::Graph_traits::null_vertex() : c, made, replaced);
 }
 
-// may contours take the place of the faces around a vertex?
+// may contours take the place of the faces around vertices?
 template <typename UserMesh>
 bool is_filling_free(Working_mesh<UserMesh>& mesh,
-                     const typename Working_mesh<UserMesh>::vertex_descriptor v,
+                     const std::initializer_list<typename Working_mesh<UserMesh>::vertex_descriptor> vertices,
                      const std::initializer_list<const Contour<UserMesh>*> contours)
 {
   if(!mesh.is_guarded())
@@ -170,7 +170,7 @@ bool is_filling_free(Working_mesh<UserMesh>& mesh,
       }
       made.push_back(t);
     }
-  return mesh.is_free(center_of_disc(mesh, v), made, triangles_around(mesh, {v}));
+  return mesh.is_free(center_of_disc(mesh, *vertices.begin()), made, triangles_around(mesh, vertices));
 }
 
 } // namespace internal

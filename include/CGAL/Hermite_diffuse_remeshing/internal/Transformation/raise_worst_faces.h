@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <variant>
 #include <vector>
 
 namespace CGAL {
@@ -48,7 +49,7 @@ class Worst_face_hunt
     { return level != other.level ? level < other.level : corners < other.corners; }
   };
 
-  enum Kind { NOTHING, FLIP, RELOCATION, COLLAPSE, SPLIT, VERTEX_REMOVAL, CURVE_VERTEX_REMOVAL, FLIP_AND_RELOCATION };
+  enum Kind { NOTHING, FLIP, RELOCATION, COLLAPSE, SPLIT, REMOVAL, FLIP_AND_RELOCATION };
 
   // the best operation found so far for a face
   struct Plan
@@ -58,8 +59,7 @@ class Worst_face_hunt
     halfedge_descriptor halfedge;
     vertex_descriptor vertex;
     Site site;
-    Vertex_removal<UserMesh> vertex_removal;
-    Curve_vertex_removal<UserMesh> curve_vertex_removal;
+    std::variant<Vertex_removal<UserMesh>, Edge_removal<UserMesh>, Curve_vertex_removal<UserMesh> > removal;
   };
 
   Mesh& m_mesh;
@@ -186,7 +186,7 @@ private:
         plan_split(side, plan);
         if(degree(target(side, tm), tm) > largest_degree)
           continue;
-        plan_removals(target(side, tm), plan);
+        plan_removals(side, plan);
         plan_flips_and_relocation(target(side, tm), plan);
       }
     return execute(plan);
@@ -271,23 +271,26 @@ private:
     plan.site = site;
   }
 
-  void plan_removals(const vertex_descriptor v, Plan& plan) const
+  template <typename Removal, typename Element>
+  void plan_removal(const Element element, const Worth& before, Plan& plan) const
+  {
+    Removal removal;
+    const Worth after = removal.plan(m_mesh, element);
+    if(improves(after, before, plan))
+      take(REMOVAL, after, plan).removal = removal;
+  }
+
+  void plan_removals(const halfedge_descriptor h, Plan& plan) const
   {
     const auto& tm = m_mesh.tmesh();
-    const Worth before = worth_around(m_mesh, v);
-    Vertex_removal<UserMesh> removal;
-    const Worth after = removal.plan(m_mesh, v);
-    if(improves(after, before, plan))
-      take(VERTEX_REMOVAL, after, plan).vertex_removal = removal;
-    if(m_mesh.data(v).type != CURVE_VERTEX)
-      return;
-    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tm))
-    {
-      Curve_vertex_removal<UserMesh> curve_removal;
-      const Worth after_curve_removal = curve_removal.plan(m_mesh, opposite(h, tm));
-      if(improves(after_curve_removal, before, plan))
-        take(CURVE_VERTEX_REMOVAL, after_curve_removal, plan).curve_vertex_removal = curve_removal;
-    }
+    const vertex_descriptor v = target(h, tm);
+    Worth before = worth_around(m_mesh, v);
+    plan_removal<Vertex_removal<UserMesh> >(v, before, plan);
+    if(m_mesh.data(v).type == CURVE_VERTEX)
+      for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
+        plan_removal<Curve_vertex_removal<UserMesh> >(opposite(g, tm), before, plan);
+    before.add(worth_around(m_mesh, source(h, tm)));
+    plan_removal<Edge_removal<UserMesh> >(h, before, plan);
   }
 
   // an edge at v or opposite to v is flipped, and v moves
@@ -353,8 +356,7 @@ private:
       case RELOCATION:           return is_relocation_free(m_mesh, plan.vertex, plan.site);
       case COLLAPSE:             return is_collapse_free(m_mesh, plan.halfedge, plan.site);
       case SPLIT:                return is_split_free(m_mesh, plan.halfedge, plan.site);
-      case VERTEX_REMOVAL:       return plan.vertex_removal.is_free(m_mesh);
-      case CURVE_VERTEX_REMOVAL: return plan.curve_vertex_removal.is_free(m_mesh);
+      case REMOVAL:              return std::visit([&](const auto& r) { return r.is_free(m_mesh); }, plan.removal);
     }
     return false;
   }
@@ -370,8 +372,7 @@ private:
       case RELOCATION:           m_mesh.relocate(plan.vertex, plan.site); break;
       case COLLAPSE:             m_mesh.collapse_edge(plan.halfedge, plan.site); break;
       case SPLIT:                m_mesh.split_edge(plan.halfedge, plan.site); break;
-      case VERTEX_REMOVAL:       plan.vertex_removal.execute(m_mesh); break;
-      case CURVE_VERTEX_REMOVAL: plan.curve_vertex_removal.execute(m_mesh); break;
+      case REMOVAL:              std::visit([&](const auto& r) { r.execute(m_mesh); }, plan.removal); break;
       case FLIP_AND_RELOCATION:
         m_mesh.flip_edge(plan.halfedge);
         if(!is_relocation_free(m_mesh, plan.vertex, plan.site))

@@ -52,9 +52,54 @@ public:
     return m_contour.fill(mesh, mesh.hint(first));
   }
 
-  bool is_free(Mesh& mesh) const { return is_filling_free(mesh, m_vertex, {&m_contour}); }
+  bool is_free(Mesh& mesh) const { return is_filling_free(mesh, {m_vertex}, {&m_contour}); }
 
   void execute(Mesh& mesh) const { mesh.remove_vertex(m_vertex, m_contour.diagonals()); }
+};
+
+// Removes an edge inside the surface with both of its vertices, and fills the contour around the faces of both.
+template <typename UserMesh>
+class Edge_removal
+{
+  typedef Working_mesh<UserMesh> Mesh;
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
+
+  halfedge_descriptor m_halfedge;
+  Contour<UserMesh> m_contour;
+
+public:
+  Worth plan(const Mesh& mesh, const halfedge_descriptor h)
+  {
+    const auto& tm = mesh.tmesh();
+    m_halfedge = h;
+    m_contour = Contour<UserMesh>();
+    for(const vertex_descriptor v : {source(h, tm), target(h, tm)})
+      if(mesh.data(v).type != SURFACE_VERTEX || mesh.is_fixed(v))
+        return Worth{-1., 0.};
+    if(!is_collapse_topologically_legal(mesh, h))
+      return Worth{-1., 0.};
+    // from the one common neighbour to the other around the source, then back around the target
+    const halfedge_descriptor o = opposite(h, tm);
+    for(halfedge_descriptor g = prev(h, tm); g != o; g = prev(opposite(g, tm), tm))
+      m_contour.add(source(g, tm));
+    for(halfedge_descriptor g = prev(opposite(prev(o, tm), tm), tm); g != opposite(next(h, tm), tm);
+        g = prev(opposite(g, tm), tm))
+      m_contour.add(source(g, tm));
+    // what is left of a surface with so few vertices may have no place for it
+    return m_contour.size() > 3 ? m_contour.fill(mesh, mesh.hint(h)) : Worth{-1., 0.};
+  }
+
+  bool is_free(Mesh& mesh) const
+  {
+    return is_filling_free(mesh, {source(m_halfedge, mesh.tmesh()), target(m_halfedge, mesh.tmesh())}, {&m_contour});
+  }
+
+  void execute(Mesh& mesh) const
+  {
+    mesh.remove_vertex(mesh.collapse_edge(m_halfedge, mesh.site(target(m_halfedge, mesh.tmesh()))),
+                       m_contour.diagonals());
+  }
 };
 
 // Removes a vertex from its curve: its two neighbours there are joined, and the contours on both sides
@@ -111,7 +156,7 @@ public:
   }
 
   bool is_free(Mesh& mesh) const
-  { return is_filling_free(mesh, source(m_halfedge, mesh.tmesh()), {&m_contours[0], &m_contours[1]}); }
+  { return is_filling_free(mesh, {source(m_halfedge, mesh.tmesh())}, {&m_contours[0], &m_contours[1]}); }
 
   void execute(Mesh& mesh) const
   {
