@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Needles.h>
 
 #include <algorithm>
 #include <array>
@@ -122,6 +123,7 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
     else if(mark == UNMARKED_EDGE && dihedral_deviation(surface, s.face, t.face) > sharp_angle)
       classes[e] = SHARP_EDGE;
   }
+  Needles(surface, edges, sharp_angle, classes).smooth();
   discard_isolated_sharp_edges(surface, edges, sharp_angle, classes);
   return classes;
 }
