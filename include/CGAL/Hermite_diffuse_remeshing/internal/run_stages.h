@@ -86,7 +86,7 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
                                      report.number_of_deviation_rounds); });
   const auto describe_result = [&]
   {
-    report.low_quality_faces = Quality_obstacles<User>(mesh).find();
+    report.low_quality_faces = Quality_obstacles<User>(mesh).explain(measure_faces(mesh, report));
     fill_report(mesh, deviations, report);
     report.number_of_iterations = remesher.number_of_iterations();
     write_result(mesh, deviations.faces);

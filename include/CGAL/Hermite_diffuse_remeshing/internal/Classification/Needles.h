@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -23,8 +24,8 @@ namespace internal {
 // The normal of a needle is noise: that of a triangle with an angle of 5 degrees is turned by 40 when a vertex moves by
 // a fourteenth of its length. If two features meet at such an angle with nothing but one face between them, no
 // triangle there can be well shaped. Where the faces around the needle form one sheet, or two that meet at a single
-// crease, it is taken to have the normal of one of these sheets. Where it is the end of a wedge, which goes on behind
-// its short side, its features stay.
+// crease, it is taken to have the normal of one of them. Where it is the end of a wedge, which goes on behind its
+// short side, its features stay.
 class Needles
 {
   const Indexed_triangles& m_surface;
@@ -93,39 +94,36 @@ private:
   double angle(const int face, const int side) const
   { return angle_between(m_normals[face], m_normals[neighbor(face, side)]); }
 
+  bool is_sharp_corner(const int f, const int corner) const
+  {
+    const Vector& p = m_surface.point(f, corner);
+    return angle_between(m_surface.point(f, next(corner)) - p, m_surface.point(f, previous(corner)) - p)
+         < largest_angle;
+  }
+
   bool is_needle_between_features(const int f) const
   {
     for(int k = 0; k < 3; ++k)
-    {
-      const int l = previous(k);
-      if(!is_feature(edge_class(f, k)) || !is_feature(edge_class(f, l)) || !(is_sharp(f, k) || is_sharp(f, l)))
-        continue;
-      const Vector& corner = m_surface.point(f, k);
-      if(angle_between(m_surface.point(f, next(k)) - corner, m_surface.point(f, l) - corner) < largest_angle)
-        return true;
-    }
+      if(is_feature(edge_class(f, k)) && is_feature(edge_class(f, previous(k))) && is_sharp_corner(f, k))
+        return is_sharp(f, 0) || is_sharp(f, 1) || is_sharp(f, 2);
     return false;
   }
 
-  // with the normal of the face at side k, a needle has at most one feature left, and no new one
-  bool is_single_crease_left(const int f, const int k) const
+  // with the normal of the face at side k no features meet at a small angle any more, and there is no new one
+  bool is_resolved(const int f, const int k) const
   {
     const Vector& normal = m_normals[neighbor(f, k)];
-    int number = 0;
+    std::array<bool, 3> is_left = {{false, false, false}};
     for(const int side : {next(k), previous(k)})
     {
       const Edge_class c = edge_class(f, side);
-      if(c != INTERIOR_EDGE && c != SHARP_EDGE)
-      {
-        ++number;
-        continue;
-      }
-      const bool is_left = angle_between(normal, m_normals[neighbor(f, side)]) > m_sharp_angle;
-      if(is_left && c == INTERIOR_EDGE)
+      is_left[side] = (c != INTERIOR_EDGE && c != SHARP_EDGE)
+                   || angle_between(normal, m_normals[neighbor(f, side)]) > m_sharp_angle;
+      if(is_left[side] && c == INTERIOR_EDGE)
         return false;
-      number += is_left;
     }
-    return number <= 1;
+    // the corner between the two other sides
+    return !(is_left[next(k)] && is_left[previous(k)] && is_sharp_corner(f, previous(k)));
   }
 
   // The sharp side with the smallest angle of those that may become smooth; -1 if there is none, or if there are two.
@@ -136,7 +134,7 @@ private:
     bool is_unique = true;
     for(int k = 0; k < 3; ++k)
     {
-      if(!is_sharp(f, k) || m_is_needle[neighbor(f, k)] || !is_single_crease_left(f, k))
+      if(!is_sharp(f, k) || m_is_needle[neighbor(f, k)] || !is_resolved(f, k))
         continue;
       const double a = angle(f, k);
       if(best != -1 && std::abs(a - least) <= angle_tolerance)

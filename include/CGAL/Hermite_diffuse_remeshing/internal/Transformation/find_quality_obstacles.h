@@ -52,27 +52,21 @@ public:
   explicit Quality_obstacles(Mesh& mesh) : m_mesh(mesh), m_hunt(mesh, 1., 1.) {}
 
   // The worst first. Those that are reached after a stop have that for a reason.
-  std::vector<Entry> find()
+  std::vector<Entry> explain(const std::vector<face_descriptor>& low_faces) const
   {
     struct Ranked
     {
       Entry entry;
       std::array<int, 3> corners;       // decide between equals, in an order that is the same for every type of mesh
     };
-    const auto& tm = m_mesh.tmesh();
     std::vector<Ranked> ranked;
-    for(const face_descriptor f : faces(tm))
+    for(const face_descriptor f : low_faces)
     {
-      if(!m_mesh.is_remeshed(f))
-        continue;
       const Numbered_triangle t = m_mesh.triangle(f);
-      const double q = quality(t.points[0], t.points[1], t.points[2]);
-      if(q >= Entry::low_quality)
-        continue;
       Ranked r{Entry(), t.vertices};
       std::sort(r.corners.begin(), r.corners.end());
       r.entry.face = f;
-      r.entry.quality = q;
+      r.entry.quality = quality(t.points[0], t.points[1], t.points[2]);
       for(int i = 0; i < 3; ++i)
         r.entry.point[i] = (t.points[0][i] + t.points[1][i] + t.points[2][i]) / 3.;
       ranked.push_back(r);
