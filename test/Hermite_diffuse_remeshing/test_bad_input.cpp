@@ -347,9 +347,12 @@ void test_low_qualities()
   assert(std::abs(report.low_quality_faces.front().distance - width) < 1e-12);
 
   mesh = strip(width);
-  const auto is_constrained = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:constrained", true).first;
+  auto is_constrained = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:constrained", false).first;
+  for(const auto e : edges(mesh))
+    is_constrained[e] = mesh.is_border(e);
   report = PMP::hermite_diffuse_remesh(mesh, params::edge_is_constrained_map(is_constrained).protect_constraints(true));
-  assert(count_low_qualities(mesh, report, HDR::QUALITY_AT_PROTECTED_EDGE) == 2);
+  const std::size_t number_at_protected = count_low_qualities(mesh, report, HDR::QUALITY_AT_PROTECTED_EDGE);
+  assert(number_at_protected > 0 && number_at_protected == report.low_quality_faces.size());
 
   // a ring that is narrower than the smallest size
   analytic::Triangles ring;
