@@ -368,8 +368,13 @@ void test_low_qualities()
   }
   mesh = make_mesh<Surface_mesh>(ring);
   report = PMP::hermite_diffuse_remesh(mesh, params::minimum_edge_length(0.2));
+  // closed curves have two ends, which are as close
   const std::size_t number = count_low_qualities(mesh, report, HDR::QUALITY_BETWEEN_FEATURES);
-  assert(number > 0 && number == report.low_quality_faces.size());
+  const std::size_t number_at_ends = count_low_qualities(mesh, report, HDR::QUALITY_AT_CLOSE_CORNERS);
+  if(number == 0 || number + number_at_ends != report.low_quality_faces.size())
+    for(const auto& low : report.low_quality_faces)
+      std::cerr << low.quality << " " << name(low.obstacle) << " " << low.distance << std::endl;
+  assert(number > 0 && number + number_at_ends == report.low_quality_faces.size());
   assert(report.low_quality_faces.front().distance < 1.2 * width);
 
   struct Stop : public HDR::Default_remeshing_visitor<Surface_mesh>
