@@ -108,7 +108,8 @@ private:
                             { return m_mesh.length(a) < m_mesh.length(b); };
     const halfedge_descriptor shortest = *std::min_element(sides.begin(), sides.end(), is_shorter);
     const halfedge_descriptor longest = *std::max_element(sides.begin(), sides.end(), is_shorter);
-    if(m_mesh.is_fixed(source(shortest, tm)) && m_mesh.is_fixed(target(shortest, tm))
+    if(m_mesh.length(shortest) < entry.size
+       && m_mesh.is_fixed(source(shortest, tm)) && m_mesh.is_fixed(target(shortest, tm))
        && is_low_quality_forced(2. * std::asin(m_mesh.length(shortest) / (2. * m_mesh.length(longest)))))
     {
       entry.obstacle = QUALITY_AT_CLOSE_CORNERS;
