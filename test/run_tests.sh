@@ -6,8 +6,9 @@
 #
 #   --cgal DIR       the root of an unpacked libcgal-dev package to use instead of the installed one
 #   --build DIR      the build folder (build/test, or build/test-cgal with --cgal)
-#   --sanitize KIND  with the address and undefined-behaviour sanitizers, KIND `address`, or with that of
-#                    threads, KIND `thread`; takes many times as long
+#   --sanitize KIND  with the address and undefined-behaviour sanitizers, KIND `address,undefined`, or with that of
+#                    threads, KIND `thread`; takes many times as long. Programs with threads are test_determinism
+#                    and, by TBB, test_diffuse_surface
 #   --programs LIST  only these programs, separated by blanks, and their tests, and that an installed package is found
 #   --check-sources  also check the sources themselves: every header alone, warnings, includes
 #
@@ -21,6 +22,7 @@ cgal=
 build=
 check_sources=OFF
 sanitizer=
+optimization=-O2
 programs=()
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -31,11 +33,22 @@ while [ $# -gt 0 ]; do
       ;;
     --sanitize)
       case "${2:-}" in
-        address) sanitizer="-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer" ;;
-        thread)  sanitizer="-fsanitize=thread" ;;
-        *)       echo "--sanitize needs address or thread" >&2; exit 2 ;;
+        address,undefined)
+          sanitizer="-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer"
+          export UBSAN_OPTIONS="print_stacktrace=1"
+          ;;
+        thread)
+          sanitizer="-fsanitize=thread"
+          export TSAN_OPTIONS="suppressions=$root/test/thread_sanitizer.supp history_size=4"
+          ;;
+        *)
+          echo "--sanitize needs address,undefined or thread" >&2
+          exit 2
+          ;;
       esac
-      build=${build:-$root/build/test-$2}
+      # fast to compile, and with line numbers
+      optimization="-O1 -g1"
+      build=${build:-$root/build/test-${2%%,*}}
       shift 2
       ;;
     --programs)
@@ -79,7 +92,7 @@ finish()
 say "configuring in $build"
 mkdir -p "$build"
 if ! cmake -S "$root" -B "$build" "${cgal_options[@]}" \
-       -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O2 -UNDEBUG" \
+       -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="$optimization -UNDEBUG" \
        -DBUILD_TESTING=ON -DCGAL_DATA_DIR="$CGAL_DATA_DIR" \
        -DHermite_diffuse_remeshing_CHECK_SOURCES=$check_sources \
        > "$build/configure.log" 2>&1; then

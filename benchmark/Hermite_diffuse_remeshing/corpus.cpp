@@ -4,6 +4,8 @@
 //
 //   corpus FOLDER [largest size of a file in bytes] [part of the diagonal]
 
+#include "../../examples/Hermite_diffuse_remeshing/report_output.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -76,6 +78,19 @@ long euler_characteristic(const Mesh& mesh)
   return long(mesh.number_of_vertices()) - long(mesh.number_of_edges()) + long(mesh.number_of_faces());
 }
 
+// numbers of the faces of low quality, by reason
+template <typename Report>
+std::string reasons(const Report& report)
+{
+  std::map<std::string, int> numbers;
+  for(const auto& low : report.low_quality_faces)
+    ++numbers[CGAL::Hermite_diffuse_remeshing::name(low.obstacle)];
+  std::string result;
+  for(const auto& entry : numbers)
+    result += (result.empty() ? "" : " ") + std::to_string(entry.second) + " " + entry.first;
+  return result;
+}
+
 double median(std::vector<double> values)
 {
   if(values.empty())
@@ -105,8 +120,9 @@ int main(int argc, char** argv)
   int not_met = 0;
   // what the summary names: meshes, by what there is to say of them
   std::map<std::string, std::vector<std::string> > remarks;
+  std::vector<std::string> low_qualities;
   std::cout << "mesh,input faces,faces,Qmin,Qmean,deviation/diagonal,met,intersections before,after,corners lost,"
-               "degenerate input faces,seconds,stop" << std::endl;
+               "degenerate input faces,seconds,stop,faces below 0.3" << std::endl;
   for(const std::filesystem::path& file : files)
   {
     Mesh mesh;
@@ -136,7 +152,7 @@ int main(int argc, char** argv)
                 << report.largest_deviation / diagonal << "," << report.is_maximum_deviation_met << ","
                 << intersections_before << "," << intersections << "," << lost << ","
                 << report.number_of_degenerate_input_faces << "," << seconds_of_mesh << ","
-                << CGAL::Hermite_diffuse_remeshing::name(report.stop_reason) << std::endl;
+                << CGAL::Hermite_diffuse_remeshing::name(report.stop_reason) << "," << reasons(report) << std::endl;
       if(report.is_deviation_measured)
         deviations.push_back(report.largest_deviation / diagonal);
       qualities.push_back(report.smallest_quality);
@@ -150,7 +166,9 @@ int main(int argc, char** argv)
       remark(euler_characteristic(mesh) != characteristic, "another topology");
       // those at degenerate faces are no corners after the repair
       remark(lost > 0 && report.number_of_degenerate_input_faces == 0, "lost corners");
-      remark(report.smallest_quality < 0.1, "smallest quality below 0.1");
+      if(report.smallest_quality < 0.1)
+        low_qualities.push_back(name + ": " + std::to_string(report.smallest_quality) + ", "
+                                + explanation(report.low_quality_faces.front()) + "; in all " + reasons(report));
     }
     catch(const std::exception& error)
     {
@@ -168,5 +186,8 @@ int main(int argc, char** argv)
       std::cerr << (i > 0 ? ", " : "") << remark.second[i];
     std::cerr << ")\n";
   }
+  std::cerr << "smallest quality below 0.1: " << low_qualities.size() << "\n";
+  for(const std::string& line : low_qualities)
+    std::cerr << "  " << line << "\n";
   return EXIT_SUCCESS;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
@@ -87,6 +88,54 @@ public:
   }
 };
 
+// why the quality of a face is low, as a sentence without its end
+template <typename Face>
+std::string explanation(const CGAL::Hermite_diffuse_remeshing::Low_quality_face<Face>& low)
+{
+  using namespace CGAL::Hermite_diffuse_remeshing;
+  std::ostringstream text;
+  text.precision(3);
+  switch(low.obstacle)
+  {
+    case QUALITY_AT_FEATURE_ANGLE:
+      text << "two features meet at " << low.angle << " degrees, where no triangle is better than " << low.best_quality;
+      break;
+    case QUALITY_AT_PROTECTED_EDGE:
+      text << "one of its edges may not be changed";
+      break;
+    case QUALITY_AT_CLOSE_CORNERS:
+      text << "two corners are " << low.distance << " apart, the size is " << low.size;
+      break;
+    case QUALITY_BETWEEN_FEATURES:
+      text << "the features at its sides are " << low.distance << " apart, the size is " << low.size;
+      break;
+    case QUALITY_AT_FOLD:
+      text << "the model is folded there";
+      break;
+    case QUALITY_AT_INTERSECTION:
+      text << "a better one would intersect others";
+      break;
+    case QUALITY_AT_OTHER_FACES:
+      text << "a better one makes one beside it worse";
+      break;
+    case QUALITY_AFTER_STOP:
+      text << "the remeshing ended before";
+      break;
+  }
+  return text.str();
+}
+
+// number of faces per reason, as members of a JSON object
+template <typename Obstacle, typename Count>
+std::string counts(const std::initializer_list<Obstacle> obstacles, const Count& count)
+{
+  std::string result;
+  for(const Obstacle obstacle : obstacles)
+    result += std::string(result.empty() ? "" : ", ") + "\"" + CGAL::Hermite_diffuse_remeshing::name(obstacle) + "\": "
+            + std::to_string(count(obstacle));
+  return result;
+}
+
 template <typename Mesh>
 void write_json(std::ostream& os,
                 const CGAL::Hermite_diffuse_remeshing::Remeshing_report<Mesh>& r)
@@ -101,11 +150,18 @@ void write_json(std::ostream& os,
   };
   const auto& worst = r.point_of_largest_deviation;
   using namespace CGAL::Hermite_diffuse_remeshing;
-  std::string obstacles;
-  for(const Deviation_obstacle obstacle : {DEVIATION_AT_PROTECTED_EDGE, DEVIATION_AT_SMALLEST_SIZE, DEVIATION_AT_FOLD,
-                                           DEVIATION_AFTER_STOP})
-    obstacles += std::string(obstacles.empty() ? "" : ", ") + "\"" + CGAL::Hermite_diffuse_remeshing::name(obstacle) + "\": "
-      + std::to_string(std::count(r.deviation_obstacles.begin(), r.deviation_obstacles.end(), obstacle));
+  const std::string deviation_obstacles =
+    counts({DEVIATION_AT_PROTECTED_EDGE, DEVIATION_AT_SMALLEST_SIZE, DEVIATION_AT_FOLD, DEVIATION_AFTER_STOP},
+           [&](const Deviation_obstacle obstacle)
+           { return std::count(r.deviation_obstacles.begin(), r.deviation_obstacles.end(), obstacle); });
+  const std::string quality_obstacles =
+    counts({QUALITY_AT_FEATURE_ANGLE, QUALITY_AT_PROTECTED_EDGE, QUALITY_AT_CLOSE_CORNERS, QUALITY_BETWEEN_FEATURES,
+            QUALITY_AT_FOLD, QUALITY_AT_INTERSECTION, QUALITY_AT_OTHER_FACES, QUALITY_AFTER_STOP},
+           [&](const Quality_obstacle obstacle)
+           {
+             return std::count_if(r.low_quality_faces.begin(), r.low_quality_faces.end(),
+                                  [=](const auto& low) { return low.obstacle == obstacle; });
+           });
 
   os << "{\n"
      << "  \"input_faces\": " << r.number_of_input_faces << ",\n"
@@ -124,7 +180,8 @@ void write_json(std::ostream& os,
      << "  \"maximum_deviation\": " << number(r.maximum_deviation) << ",\n"
      << "  \"maximum_deviation_met\": " << (r.is_maximum_deviation_met ? "true" : "false") << ",\n"
      << "  \"faces_above_maximum_deviation\": " << r.faces_above_maximum_deviation.size() << ",\n"
-     << "  \"deviation_obstacles\": {" << obstacles << "},\n"
+     << "  \"deviation_obstacles\": {" << deviation_obstacles << "},\n"
+     << "  \"quality_obstacles\": {" << quality_obstacles << "},\n"
      << "  \"size_conformity\": " << number(r.size_conformity) << ",\n"
      << "  \"predicted_faces\": " << number(r.predicted_number_of_faces) << ",\n"
      << "  \"size_scale\": " << number(r.size_scale) << ",\n"
@@ -144,7 +201,16 @@ void write_json(std::ostream& os,
     os << separator << "\"" << stage.first << "\": " << number(stage.second);
     separator = ", ";
   }
-  os << "}\n}\n";
+  os << "},\n  \"low_quality_faces\": [";
+  separator = "";
+  for(const auto& low : r.low_quality_faces)
+  {
+    os << separator << "\n    {\"quality\": " << number(low.quality) << ", \"point\": [" << number(low.point[0]) << ", "
+       << number(low.point[1]) << ", " << number(low.point[2]) << "], \"obstacle\": \"" << name(low.obstacle)
+       << "\", \"why\": \"" << explanation(low) << "\"}";
+    separator = ",";
+  }
+  os << (r.low_quality_faces.empty() ? "" : "\n  ") << "]\n}\n";
 }
 
 template <typename Mesh>
@@ -166,6 +232,9 @@ void print_table(std::ostream& os,
   os << std::setprecision(4);
   row("smallest quality", r.smallest_input_quality, r.smallest_quality);
   row("mean quality", r.mean_input_quality, r.mean_quality);
+  if(!r.low_quality_faces.empty())
+    os << "low quality         " << r.low_quality_faces.size() << " faces; the worst: "
+       << explanation(r.low_quality_faces.front()) << "\n";
   os << "deviation           largest " << r.largest_deviation << ", mean " << r.mean_deviation
      << "\n";
   if(!r.is_maximum_deviation_met)

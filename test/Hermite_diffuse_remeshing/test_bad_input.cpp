@@ -1,4 +1,5 @@
-// The tables of the manual: what is refused, what is repaired, and what is accepted as it is.
+// The tables of the manual: what is refused, what is repaired, what is accepted as it is, and why
+// triangles of the result are bad.
 
 #include "test_helpers.h"
 
@@ -125,6 +126,36 @@ Surface_mesh::Halfedge_index inner_halfedge(const Surface_mesh& mesh)
     if(!mesh.is_border(mesh.source(h)) && !mesh.is_border(mesh.target(h)))
       return h;
   return Surface_mesh::null_halfedge();
+}
+
+// ---- faces of low quality ----------------------------------------------------------------------------
+
+double quality(const Surface_mesh& mesh, const Surface_mesh::Face_index f)
+{
+  const auto h = mesh.halfedge(f);
+  const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+  const double a = std::sqrt(CGAL::squared_distance(p, q)), b = std::sqrt(CGAL::squared_distance(q, r)),
+               c = std::sqrt(CGAL::squared_distance(r, p));
+  return 4. * std::sqrt(3. * CGAL::squared_area(p, q, r)) / ((a + b + c) * (std::max)({a, b, c}));
+}
+
+// every face of low quality is reported, the worst first; returns the number for a reason
+std::size_t count_low_qualities(const Surface_mesh& mesh, const HDR::Remeshing_report<Surface_mesh>& report, const HDR::Quality_obstacle obstacle)
+{
+  std::size_t number = 0, expected = 0;
+  double last = 0.;
+  for(const auto& low : report.low_quality_faces)
+  {
+    assert(std::abs(low.quality - quality(mesh, low.face)) < 1e-9 && low.quality < low.low_quality && low.quality >= last);
+    assert(low.quality <= low.best_quality + 1e-9 && low.size > 0.);
+    last = low.quality;
+    number += low.obstacle == obstacle;
+  }
+  for(const auto f : faces(mesh))
+    expected += quality(mesh, f) < HDR::Low_quality_face<Surface_mesh::Face_index>::low_quality;
+  assert(report.low_quality_faces.size() == expected);
+  assert(expected == 0 || report.low_quality_faces.front().quality == report.smallest_quality);
+  return number;
 }
 
 // ---- tests ------------------------------------------------------------------------------------------
@@ -276,6 +307,89 @@ void test_extreme_coordinates()
     }
 }
 
+// what makes it impossible that all faces are well shaped is found, and told with its measures
+void test_low_qualities()
+{
+  std::cout << "low qualities" << std::endl;
+  const auto polygon = [](const std::vector<analytic::Point>& points)
+  {
+    analytic::Triangles t;
+    t.points = points;
+    for(std::size_t i = 1; i + 1 < points.size(); ++i)
+      t.faces.push_back({{0, i, i + 1}});
+    return make_mesh<Surface_mesh>(t);
+  };
+  const auto strip = [&](const double width)
+  { return polygon({{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., width, 0.}}, {{0., width, 0.}}}); };
+
+  constexpr double degree = 0.01745329251994329577;
+  for(const double angle : {8., 30.})
+  {
+    Surface_mesh mesh =
+      polygon({{{0., 0., 0.}}, {{1., 0., 0.}}, {{std::cos(angle * degree), std::sin(angle * degree), 0.}}});
+    const auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_edge_length(0.1));
+    const std::size_t number = count_low_qualities(mesh, report, HDR::QUALITY_AT_FEATURE_ANGLE);
+    assert(number == report.low_quality_faces.size() && (number > 0) == (angle == 8.));
+    for(const auto& low : report.low_quality_faces)
+    {
+      assert(std::abs(low.angle - angle) < 1e-6);
+      // of the isosceles triangle, by the formula for the inscribed circle of a triangle with two legs of length 1
+      const double radius = std::sin(angle * degree / 2.) * std::sqrt((1. - std::sin(angle * degree / 2.))
+                                                                     / (1. + std::sin(angle * degree / 2.)));
+      assert(std::abs(low.best_quality - 2. * std::sqrt(3.) * radius) < 1e-9);
+    }
+  }
+
+  const double width = 0.02;
+  Surface_mesh mesh = strip(width);
+  auto report = PMP::hermite_diffuse_remesh(mesh, params::minimum_edge_length(0.2));
+  assert(count_low_qualities(mesh, report, HDR::QUALITY_AT_CLOSE_CORNERS) > 0);
+  assert(std::abs(report.low_quality_faces.front().distance - width) < 1e-12);
+
+  mesh = strip(width);
+  auto is_constrained = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:constrained", false).first;
+  for(const auto e : edges(mesh))
+    is_constrained[e] = mesh.is_border(e);
+  report = PMP::hermite_diffuse_remesh(mesh, params::edge_is_constrained_map(is_constrained).protect_constraints(true));
+  const std::size_t number_at_protected = count_low_qualities(mesh, report, HDR::QUALITY_AT_PROTECTED_EDGE);
+  assert(number_at_protected > 0 && number_at_protected == report.low_quality_faces.size());
+
+  // a ring that is narrower than the smallest size
+  analytic::Triangles ring;
+  constexpr std::size_t n = 40;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double a = 360. * degree * double(i) / double(n);
+    ring.points.push_back({{std::cos(a), std::sin(a), 0.}});
+    ring.points.push_back({{(1. - width) * std::cos(a), (1. - width) * std::sin(a), 0.}});
+    const std::size_t v = 2 * i, w = 2 * ((i + 1) % n);
+    ring.faces.push_back({{v, w, w + 1}});
+    ring.faces.push_back({{v, w + 1, v + 1}});
+  }
+  mesh = make_mesh<Surface_mesh>(ring);
+  report = PMP::hermite_diffuse_remesh(mesh, params::minimum_edge_length(0.2));
+  // closed curves have two ends, which are as close
+  const std::size_t number = count_low_qualities(mesh, report, HDR::QUALITY_BETWEEN_FEATURES);
+  const std::size_t number_at_ends = count_low_qualities(mesh, report, HDR::QUALITY_AT_CLOSE_CORNERS);
+  if(number == 0 || number + number_at_ends != report.low_quality_faces.size())
+    for(const auto& low : report.low_quality_faces)
+      std::cerr << low.quality << " " << name(low.obstacle) << " " << low.distance << std::endl;
+  assert(number > 0 && number + number_at_ends == report.low_quality_faces.size());
+  assert(report.low_quality_faces.front().distance < 1.2 * width);
+
+  struct Stop : public HDR::Default_remeshing_visitor<Surface_mesh>
+  {
+    bool is_adapting = false;
+    void stage_begins(const char* name) { is_adapting = std::string(name) == "adaptation"; }
+    bool is_stop_requested() { return is_adapting; }
+  };
+  mesh = strip(0.1);
+  report = PMP::hermite_diffuse_remesh(mesh, params::maximum_edge_length(0.05).visitor(Stop()));
+  assert(count_low_qualities(mesh, report, HDR::QUALITY_AFTER_STOP) == 2);
+  report = PMP::hermite_diffuse_remesh(mesh, params::maximum_edge_length(0.05));
+  assert(report.low_quality_faces.empty());
+}
+
 int main()
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -324,6 +438,7 @@ int main()
   test_repairs();
   test_accepted_as_they_are();
   test_extreme_coordinates();
+  test_low_qualities();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

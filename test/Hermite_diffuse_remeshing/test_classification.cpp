@@ -152,6 +152,53 @@ void test_isolated_sharp_edges()
   assert(roof(2, 70.).number(SHARP_EDGE) >= 2);
 }
 
+// A needle whose normal is turned away from the faces around it is no piece of two features.
+void test_needles()
+{
+  // two halves that meet along the x axis at an angle, with a vertex almost on the edge between (0,0,0) and (1,0,0)
+  const auto roof = [](const double slope, const double offset, const double height)
+  {
+    const std::vector<Vector> points =
+      {Vector(-1., 0., 0.), Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(2., 0., 0.), Vector(0.5, offset, height),
+       Vector(-1., -1., -slope), Vector(2., -1., -slope), Vector(-1., 1., -slope), Vector(2., 1., -slope),
+       Vector(0.5, -1., -slope), Vector(0.5, 1., -slope)};
+    return indexed(points, {{{1, 2, 4}}, {{1, 5, 9}}, {{1, 0, 5}}, {{1, 9, 2}}, {{2, 9, 6}}, {{2, 6, 3}},
+                            {{1, 4, 10}}, {{4, 2, 10}}, {{0, 1, 7}}, {{1, 10, 7}}, {{2, 8, 10}}, {{2, 3, 8}}});
+  };
+  const Classification flat(roof(0., 0.02, 0.03));
+  assert(flat.number(SHARP_EDGE) == 0);
+  // the crease goes along the needle, on one side of it
+  const Classification crease(roof(1., 0.02, 0.));
+  assert(crease.number(SHARP_EDGE) == 4 && crease.number(JUNCTION_VERTEX) == 2);
+  // a thicker one, with an edge behind its tip, is a shape of its own
+  const Classification thick(roof(0., 0.2, 0.25));
+  assert(thick.number(SHARP_EDGE) == 4);
+
+  // a strip that is turned out of a plane and grows from a tip begins behind the needle
+  const double width = 0.02;
+  const Classification strip(indexed(
+    {Vector(0., 0., 0.), Vector(1., -width, -width), Vector(1., width, width), Vector(2., -2. * width, -2. * width),
+     Vector(2., 2. * width, 2. * width), Vector(0., -1., 0.), Vector(2., -1., 0.), Vector(0., 1., 0.), Vector(2., 1., 0.)},
+    {{{0, 1, 2}}, {{1, 3, 4}}, {{1, 4, 2}}, {{0, 5, 1}}, {{1, 5, 6}}, {{1, 6, 3}}, {{0, 2, 7}}, {{2, 8, 7}}, {{2, 4, 8}}}));
+  assert(strip.number(SHARP_EDGE) == 3);
+  assert(is_feature(strip.edge_classes[strip.edges.edge(0, 1)]));
+
+  // the tip of a ramp between two slopes keeps its features
+  std::vector<Vector> points(1, Vector(0., 0., 0.));
+  for(int i = 1; i <= 2; ++i)
+    for(const double side : {-1., 1.})
+    {
+      points.push_back(Vector(i, side * i * width, 0.));
+      points.push_back(Vector(i, side * (1. + i * width), -1.));
+    }
+  points.push_back(Vector(0., -1., -1.));
+  points.push_back(Vector(0., 1., -1.));
+  const Classification ramp(indexed(points,
+    {{{0, 1, 3}}, {{1, 5, 7}}, {{1, 7, 3}}, {{0, 9, 2}}, {{0, 2, 1}}, {{1, 2, 6}}, {{1, 6, 5}},
+     {{0, 4, 10}}, {{0, 3, 4}}, {{3, 8, 4}}, {{3, 7, 8}}}));
+  assert(ramp.number(SHARP_EDGE) == 4);
+}
+
 int main()
 {
   test_cube();
@@ -159,6 +206,7 @@ int main()
   test_square_border();
   test_non_manifold();
   test_isolated_sharp_edges();
+  test_needles();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

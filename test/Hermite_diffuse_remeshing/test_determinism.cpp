@@ -1,8 +1,9 @@
 // The same input and parameters give the same mesh bit for bit: run again, in another type of mesh, and
-// beside other remeshings in other threads.
+// beside other remeshings in other threads. Run with the sanitizer of threads too, see run_tests.sh.
 
 #include "test_helpers.h"
 
+#include <CGAL/Hermite_diffuse_surface.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <algorithm>
@@ -37,6 +38,30 @@ Mesh remeshed(const std::string& name, const double error)
   return mesh;
 }
 
+// threads may ask one surface at the same time
+void test_queries_in_threads()
+{
+  const Surface_mesh mesh = read_data<Surface_mesh>("fandisk.off");
+  const CGAL::Hermite_diffuse_surface<Surface_mesh> surface(mesh);
+  const auto ask = [&]
+  {
+    std::vector<Point_3> answers;
+    for(const auto v : vertices(mesh))
+      if(int(v) % 50 == 0)
+        answers.push_back(surface.point(surface.project(mesh.point(v) + Kernel::Vector_3(0.01, 0.02, 0.03))));
+    return answers;
+  };
+  const std::vector<Point_3> expected = ask();
+  std::vector<std::vector<Point_3> > answers(2);
+  std::vector<std::thread> threads;
+  for(auto& a : answers)
+    threads.emplace_back([&] { a = ask(); });
+  for(std::thread& thread : threads)
+    thread.join();
+  for(const auto& a : answers)
+    assert(a == expected);
+}
+
 struct Case { const char* name; double error; };
 
 int main()
@@ -53,6 +78,7 @@ int main()
   }
 
   std::cout << "threads" << std::endl;
+  test_queries_in_threads();
   std::vector<Surface_mesh> in_threads(results.size());
   std::vector<std::thread> threads;
   for(std::size_t i = 0; i < results.size(); ++i)

@@ -91,6 +91,68 @@ inline const char* name(const Deviation_obstacle obstacle)
 /*!
  * \ingroup PkgHermiteDiffuseRemeshingRef
  *
+ * tells why a face has a low quality.
+ */
+enum Quality_obstacle
+{
+  QUALITY_AT_FEATURE_ANGLE,    ///< two feature curves meet at one of its corners, at an angle that forces it
+  QUALITY_AT_PROTECTED_EDGE,   ///< one of its edges may not be changed
+  QUALITY_AT_CLOSE_CORNERS,    ///< two corners of the features are closer to each other than the size there
+  QUALITY_BETWEEN_FEATURES,    ///< its vertices lie on feature curves that are closer to each other than the size there
+  QUALITY_AT_FOLD,             ///< the model is folded or torn there, as over flat or intersecting faces of the input
+  QUALITY_AT_INTERSECTION,     ///< what would improve it would make faces intersect
+  QUALITY_AT_OTHER_FACES,      ///< what would improve it would make a face beside it as bad or worse
+  QUALITY_AFTER_STOP           ///< the remeshing was stopped, or its number of tries used up, before
+};
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * returns the name of an obstacle in lower case with underscores, as the command line program writes it.
+ */
+inline const char* name(const Quality_obstacle obstacle)
+{
+  switch(obstacle)
+  {
+    case QUALITY_AT_FEATURE_ANGLE:  return "feature_angle";
+    case QUALITY_AT_PROTECTED_EDGE: return "protected_edge";
+    case QUALITY_AT_CLOSE_CORNERS:  return "close_corners";
+    case QUALITY_BETWEEN_FEATURES:  return "between_features";
+    case QUALITY_AT_FOLD:           return "fold";
+    case QUALITY_AT_INTERSECTION:   return "intersection";
+    case QUALITY_AT_OTHER_FACES:    return "other_faces";
+    case QUALITY_AFTER_STOP:        return "stop";
+  }
+  return "unknown";
+}
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
+ * is a face of the result with a quality below `low_quality`, and the reason.
+ */
+template <typename FaceDescriptor>
+struct Low_quality_face
+{
+  /// faces with a lower quality are reported
+  static constexpr double low_quality = 0.3;
+
+  FaceDescriptor face;
+  double quality = 0.;
+  std::array<double, 3> point = {{0., 0., 0.}};   ///< the centroid
+  Quality_obstacle obstacle = QUALITY_AFTER_STOP;
+  /// degrees between the feature curves; 0 for other reasons than `QUALITY_AT_FEATURE_ANGLE`
+  double angle = 0.;
+  /// no triangle can be better in a corner with this angle; 1 for other reasons
+  double best_quality = 1.;
+  /// distance between the corners, or the feature curves, that are too close; 0 for other reasons
+  double distance = 0.;
+  double size = 0.;                               ///< the edge length that was asked for there
+};
+
+/*!
+ * \ingroup PkgHermiteDiffuseRemeshingRef
+ *
  * says what a remeshing did and which promises it kept. Lengths are in the unit of the input.
  * The quality of a triangle is \f$ 2\sqrt{3}\,\rho / L \f$ with \f$ \rho \f$ the radius of the
  * inscribed circle and \f$ L \f$ the longest edge: 1 for an equilateral triangle, 0 for a flat one.
@@ -126,6 +188,8 @@ struct Remeshing_report
   double mean_input_quality = 0.;
   double smallest_quality = 0.;
   double mean_quality = 0.;
+  /// the faces with a quality below `Low_quality_face::low_quality`, the worst first
+  std::vector<Low_quality_face<face_descriptor> > low_quality_faces;
   /// @}
 
   /// \name Distance to the model

@@ -109,8 +109,13 @@ void write_soup(const Mesh& mesh, const std::vector<Deviation>& deviations, cons
   }
   for(const Deviation& entry : deviations)
     put(deviation_map, rank_of_face[std::size_t(entry.face)], entry.deviation);
-  for(auto& f : report.faces_above_maximum_deviation)
-    f = std::decay_t<decltype(f)>(static_cast<typename Mesh::TriangleMesh::size_type>(rank_of_face[std::size_t(f)]));
+  typedef typename Mesh::face_descriptor face_descriptor;
+  const auto renumber = [&](face_descriptor& f)
+  { f = face_descriptor(static_cast<typename Mesh::TriangleMesh::size_type>(rank_of_face[std::size_t(f)])); };
+  for(face_descriptor& f : report.faces_above_maximum_deviation)
+    renumber(f);
+  for(Low_quality_face<face_descriptor>& entry : report.low_quality_faces)
+    renumber(entry.face);
   report.number_of_vertices = new_points.size();
   points = std::move(new_points);
   triangles = std::move(new_triangles);

@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/find_quality_obstacles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/measure.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 
@@ -83,15 +84,23 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
     report.is_deviation_measured = watched.stage("deviation", [&]
     { deviations = enforce_deviation(mesh, *sizes, remesher, options.sizes.maximum_deviation,
                                      report.number_of_deviation_rounds); });
-  fill_report(mesh, deviations, report);
+  const auto describe_result = [&]
+  {
+    report.low_quality_faces = Quality_obstacles<User>(mesh).explain(measure_faces(mesh, report));
+    fill_report(mesh, deviations, report);
+    report.number_of_iterations = remesher.number_of_iterations();
+    write_result(mesh, deviations.faces);
+  };
+  if(watched.is_stopped())
+    describe_result();
+  else
+    watched.stage("report", describe_result);
   if(watched.is_stopped())
     report.stop_reason = watched.stop_reason();
   else if(mesh.is_full())
     report.stop_reason = FACE_BUDGET;
   else if(!report.is_maximum_deviation_met)
     report.stop_reason = DEVIATION_NOT_MET;
-  report.number_of_iterations = remesher.number_of_iterations();
-  write_result(mesh, deviations.faces);
 }
 
 } // namespace internal

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <CGAL/property_map.h>
@@ -46,21 +47,27 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
   const auto class_map = choose_parameter(get_parameter(pack, internal_np::edge_class_map),
     Constant_property_map<edge_descriptor, Edge_class>());
 
-  for(const vertex_descriptor v : vertices(mesh.tmesh()))
-    if(mesh.index(v) != -1)
-    {
-      const Location& location = mesh.data(v).site.location;
-      put(location_map, v, std::make_pair(face_ranks[location.face], location.coordinates));
-      put(size_map, v, mesh.size(v));
-    }
-  for(const edge_descriptor e : edges(mesh.tmesh()))
-    put(class_map, e, mesh.edge_class(halfedge(e, mesh.tmesh())));
-  for(std::size_t i = 0; i < face_descriptors.size(); ++i)
-    if(!mesh.is_reference_face_remeshed(static_cast<int>(i)))
-      put(origin_map, face_descriptors[i], face_ranks[i]);
-  for(const face_descriptor f : faces(mesh.tmesh()))
-    if(mesh.is_remeshed(f))
-      put(origin_map, f, face_ranks[mesh.hint(f)]);
+  // what nobody asks for takes no time: after a stop the user waits for this
+  if constexpr(is_given<Pack, internal_np::vertex_location_map_t>() || is_given<Pack, internal_np::vertex_size_map_t>())
+    for(const vertex_descriptor v : vertices(mesh.tmesh()))
+      if(mesh.index(v) != -1)
+      {
+        const Location& location = mesh.data(v).site.location;
+        put(location_map, v, std::make_pair(face_ranks[location.face], location.coordinates));
+        put(size_map, v, mesh.size(v));
+      }
+  if constexpr(is_given<Pack, internal_np::edge_class_map_t>())
+    for(const edge_descriptor e : edges(mesh.tmesh()))
+      put(class_map, e, mesh.edge_class(halfedge(e, mesh.tmesh())));
+  if constexpr(is_given<Pack, internal_np::face_origin_map_t>())
+  {
+    for(std::size_t i = 0; i < face_descriptors.size(); ++i)
+      if(!mesh.is_reference_face_remeshed(static_cast<int>(i)))
+        put(origin_map, face_descriptors[i], face_ranks[i]);
+    for(const face_descriptor f : faces(mesh.tmesh()))
+      if(mesh.is_remeshed(f))
+        put(origin_map, f, face_ranks[mesh.hint(f)]);
+  }
   for(const Deviation& entry : deviations)
     put(deviation_map, entry.face, entry.deviation);
 }

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Needles.h>
 
 #include <algorithm>
 #include <array>
@@ -99,6 +100,7 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
                                        const EdgeMark& edge_mark)
 {
   std::vector<Edge_class> classes(edges.number_of_edges(), INTERIOR_EDGE);
+  std::vector<char> may_be_sharp(edges.number_of_edges(), false);
   for(int e = 0; e < edges.number_of_edges(); ++e)
   {
     const Face_side& s = edges.side(e, 0);
@@ -119,9 +121,14 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
       classes[e] = CONSTRAINED_EDGE;
     else if(mark == MARKED_PATCH_BORDER)
       classes[e] = PATCH_BORDER_EDGE;
-    else if(mark == UNMARKED_EDGE && dihedral_deviation(surface, s.face, t.face) > sharp_angle)
-      classes[e] = SHARP_EDGE;
+    else if(mark == UNMARKED_EDGE)
+    {
+      may_be_sharp[e] = true;
+      if(dihedral_deviation(surface, s.face, t.face) > sharp_angle)
+        classes[e] = SHARP_EDGE;
+    }
   }
+  Needles(surface, edges, sharp_angle, classes, may_be_sharp).smooth();
   discard_isolated_sharp_edges(surface, edges, sharp_angle, classes);
   return classes;
 }

@@ -14,11 +14,9 @@
 
 #include <CGAL/number_utils.h>
 
-#include <boost/geometry/algorithms/distance.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <boost/geometry/strategies/cartesian/distance_pythagoras_point_box.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,11 +41,14 @@ class Feature_gaps
   const Feature_curves& m_curves;
   std::vector<int> m_patch_of_face;               // connected by edges that are no features
   boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16> > m_tree;
+  double m_reach = 0.;                            // no two points of the surface are farther apart
 
   // The shortest way to the other curve leaves a curve at a right angle, along the surface; less than this
   // cosine is near enough. The middle of the side of a thin plate, the other side of which is close
   // too, is none.
   static constexpr double largest_cosine = 0.5037;
+  // of the diameter: the search of a gap begins with this where the edge has no length
+  static constexpr double least_radius = 1e-4;
 
 public:
   Feature_gaps(const Indexed_triangles& triangles, const Cut_mesh& cut_mesh, const Edge_table& edges,
@@ -66,28 +67,35 @@ public:
         entries.push_back(Entry(Box(corner(low), corner(high)), e));
       }
     m_tree = decltype(m_tree)(entries);
+    m_reach = model_diameter(triangles);
   }
 
   // from a point of an edge of a curve to the closest other curve that bounds the same patch and has no
   // corner in common; infinite if there is none closer than `limit`
   double gap(const Vector& p, const int edge, const double limit) const
   {
-    const Vector tangent = (m_triangles.points[m_edges.vertices(edge)[1]]
-                          - m_triangles.points[m_edges.vertices(edge)[0]]).stableNormalized();
+    const Vector along = m_triangles.points[m_edges.vertices(edge)[1]] - m_triangles.points[m_edges.vertices(edge)[0]];
+    const Vector tangent = along.stableNormalized();
     double best = limit;
-    for(auto it = m_tree.qbegin(boost::geometry::index::nearest(corner(p), static_cast<unsigned>(m_tree.size())));
-        it != m_tree.qend(); ++it)
+    // Boxes that grow from the length of the edge. The incremental search for nearest neighbours sorts all it has met
+    // again and again, and most of them are other edges of the same curve.
+    for(double radius = (std::max)(along.norm(), least_radius * m_reach); ; radius *= 2.)
     {
-      if(boost::geometry::distance(corner(p), it->first) >= best)
+      const Vector reach = Vector::Constant(radius);
+      const Box box(corner(p - reach), corner(p + reach));
+      for(auto it = m_tree.qbegin(boost::geometry::index::intersects(box)); it != m_tree.qend(); ++it)
+      {
+        const int other = it->second;
+        if(!are_apart(m_curves.curve_of_edge[edge], m_curves.curve_of_edge[other]))
+          continue;
+        const Vector way = closest_point(other, p) - p;
+        const double distance = way.norm();
+        if(distance < best && distance > 0. && std::abs(way.dot(tangent)) < largest_cosine * distance
+           && is_on_common_patch(edge, other, way / distance))
+          best = distance;
+      }
+      if(best <= radius || limit <= radius || m_reach <= radius)
         break;
-      const int other = it->second;
-      if(!are_apart(m_curves.curve_of_edge[edge], m_curves.curve_of_edge[other]))
-        continue;
-      const Vector way = closest_point(other, p) - p;
-      const double distance = way.norm();
-      if(distance < best && distance > 0. && std::abs(way.dot(tangent)) < largest_cosine * distance
-         && is_on_common_patch(edge, other, way / distance))
-        best = distance;
     }
     return best < limit ? best : std::numeric_limits<double>::infinity();
   }

@@ -14,24 +14,59 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/mesh_statistics.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
+// Qualities and sizes in one pass, which the request of a stop has to wait for. Returns the faces of low quality.
+template <typename UserMesh, typename TriangleMesh>
+std::vector<typename Working_mesh<UserMesh>::face_descriptor>
+measure_faces(const Working_mesh<UserMesh>& mesh, Remeshing_report<TriangleMesh>& report)
+{
+  typedef typename Working_mesh<UserMesh>::face_descriptor face_descriptor;
+  const auto& tm = mesh.tmesh();
+  std::vector<face_descriptor> result;
+  double sum = 0.;
+  std::size_t number_of_edges = 0, number_within_2 = 0;
+  report.number_of_faces = report.number_of_vertices = 0;
+  report.smallest_quality = 1.;
+  std::size_t number_of_remeshed = 0;
+  for(const face_descriptor f : faces(tm))
+  {
+    ++report.number_of_faces;
+    if(!mesh.is_remeshed(f))
+      continue;
+    ++number_of_remeshed;
+    const Numbered_triangle t = mesh.triangle(f);
+    const double q = quality(t.points[0], t.points[1], t.points[2]);
+    report.smallest_quality = (std::min)(report.smallest_quality, q);
+    sum += q;
+    if(q < Low_quality_face<face_descriptor>::low_quality)
+      result.push_back(f);
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
+    {
+      // an edge between two faces is counted at one of them
+      if(halfedge(edge(h, tm), tm) != h && !mesh.is_border_or_outside(opposite(h, tm)))
+        continue;
+      ++number_of_edges;
+      number_within_2 += std::abs(std::log2(mesh.relative_length(h))) <= 1.;
+    }
+  }
+  report.number_of_vertices = std::distance(vertices(tm).begin(), vertices(tm).end());
+  report.mean_quality = sum / double((std::max)(std::size_t(1), number_of_remeshed));
+  report.size_conformity = double(number_within_2) / double((std::max)(std::size_t(1), number_of_edges));
+  return result;
+}
+
 template <typename UserMesh, typename TriangleMesh>
 void fill_report(const Working_mesh<UserMesh>& mesh, const Deviations<UserMesh>& deviations,
                  Remeshing_report<TriangleMesh>& report)
 {
-  report.number_of_faces = std::distance(faces(mesh.tmesh()).begin(), faces(mesh.tmesh()).end());
-  report.number_of_vertices = std::distance(vertices(mesh.tmesh()).begin(), vertices(mesh.tmesh()).end());
-  const Quality_statistics quality = measure_quality(mesh);
-  report.smallest_quality = quality.smallest;
-  report.mean_quality = quality.mean;
-  report.size_conformity = measure_sizes(mesh, [](const auto) { return true; }).within_2;
-
   report.largest_deviation = deviations.largest;
   report.mean_deviation = deviations.mean;
   for(int i = 0; i < 3; ++i)

@@ -104,7 +104,7 @@ public:
       if(h == Mesh::Graph_traits::null_halfedge() || make_entry(h).level != entry.level)
         continue;                       // has been replaced
       m_mesh.start_log();
-      if(raise(h))
+      if(execute(best_plan(h)))
       {
         ++number;
         push_changed();
@@ -112,6 +112,15 @@ public:
       m_mesh.stop_log();
     }
     return number;
+  }
+
+  enum Prospect { NO_OPERATION, NOT_FREE, FREE };
+
+  // Is there an operation that raises a face, and is it free of intersections?
+  Prospect prospect(const halfedge_descriptor h) const
+  {
+    const Plan plan = best_plan(h);
+    return plan.kind == NOTHING ? NO_OPERATION : is_free(plan) ? FREE : NOT_FREE;
   }
 
 private:
@@ -167,8 +176,8 @@ private:
         });
   }
 
-  // tries everything at a face, does the best
-  bool raise(const halfedge_descriptor h)
+  // tries everything at a face
+  Plan best_plan(const halfedge_descriptor h) const
   {
     const auto& tm = m_mesh.tmesh();
     const std::array<halfedge_descriptor, 3> sides = {{h, next(h, tm), prev(h, tm)}};
@@ -189,7 +198,7 @@ private:
         plan_removals(side, plan);
         plan_flips_and_relocation(target(side, tm), plan);
       }
-    return execute(plan);
+    return plan;
   }
 
   static bool improves(const Worth& after, const Worth& before, const Plan& plan)

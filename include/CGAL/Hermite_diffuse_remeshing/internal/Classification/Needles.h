@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CLASSIFICATION_NEEDLES_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CLASSIFICATION_NEEDLES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// The normal of a needle is noise: that of a triangle with an angle of 5 degrees is turned by 40 when a vertex moves by
+// a fourteenth of its length. If two features meet at such an angle with nothing but one face between them, no
+// triangle there can be well shaped. Where the faces around the needle form one sheet, or two that meet at a single
+// crease, it is taken to have the normal of one of them. Where it is the tip of a wedge, which goes on behind its
+// short side, the wedge ends at this side if the faces around the tip form one sheet; otherwise its features stay.
+class Needles
+{
+  const Indexed_triangles& m_surface;
+  const Edge_table& m_edges;
+  double m_sharp_angle;
+  std::vector<Edge_class>& m_classes;
+  const std::vector<char>& m_may_be_sharp;            // of the edges: the user says nothing of them
+  std::vector<int> m_number_of_features;              // at the vertices
+  std::vector<Vector> m_normals;        // of any length; those that needles are taken to have
+  std::vector<char> m_is_needle;
+
+  static constexpr double largest_angle = 0.0873;     // 5 degrees
+  // angles closer than this, in radians, are the same: rounding does not choose between two sheets
+  static constexpr double angle_tolerance = 1e-6;
+
+public:
+  Needles(const Indexed_triangles& surface, const Edge_table& edges, const double sharp_angle,
+          std::vector<Edge_class>& classes, const std::vector<char>& may_be_sharp)
+    : m_surface(surface), m_edges(edges), m_sharp_angle(sharp_angle), m_classes(classes), m_may_be_sharp(may_be_sharp)
+    , m_number_of_features(surface.number_of_vertices(), 0), m_is_needle(surface.number_of_faces(), false)
+  {
+    for(int e = 0; e < edges.number_of_edges(); ++e)
+      count(e, is_feature(classes[e]));
+    for(int f = 0; f < surface.number_of_faces(); ++f)
+      m_normals.push_back(surface.area_vector(f));
+  }
+
+  // Needles beside needles wait until those have a normal. Longer chains of them are no accident.
+  void smooth()
+  {
+    constexpr int number_of_rounds = 3;
+    for(int round = 0; round < number_of_rounds; ++round)
+    {
+      std::vector<int> needles;
+      for(int f = 0; f < m_surface.number_of_faces(); ++f)
+      {
+        m_is_needle[f] = is_needle_between_features(f);
+        if(m_is_needle[f])
+          needles.push_back(f);
+      }
+      std::vector<std::pair<int, int> > lenders;
+      for(const int f : needles)
+      {
+        const int k = side_to_join(f);
+        if(k != -1)
+          lenders.push_back(std::make_pair(f, neighbor(f, k)));
+      }
+      if(lenders.empty())
+        return;
+      for(const std::pair<int, int>& entry : lenders)
+        m_normals[entry.first] = m_normals[entry.second];
+      for(const std::pair<int, int>& entry : lenders)
+        for(int k = 0; k < 3; ++k)
+          classify_again(entry.first, k);
+    }
+  }
+
+private:
+  void count(const int e, const int change)
+  {
+    for(const int v : m_edges.vertices(e))
+      m_number_of_features[v] += change;
+  }
+
+  void classify_again(const int face, const int side)
+  {
+    const int e = m_edges.edge(face, side);
+    if(m_classes[e] != SHARP_EDGE && !(m_classes[e] == INTERIOR_EDGE && m_may_be_sharp[e]))
+      return;
+    const Edge_class now = angle(face, side) > m_sharp_angle ? SHARP_EDGE : INTERIOR_EDGE;
+    count(e, is_feature(now) - is_feature(m_classes[e]));
+    m_classes[e] = now;
+  }
+
+  Edge_class edge_class(const int face, const int side) const { return m_classes[m_edges.edge(face, side)]; }
+  bool is_sharp(const int face, const int side) const { return edge_class(face, side) == SHARP_EDGE; }
+
+  // of an edge with two sides
+  int neighbor(const int face, const int side) const
+  {
+    const int e = m_edges.edge(face, side);
+    return m_edges.side(e, m_edges.side(e, 0).face == face ? 1 : 0).face;
+  }
+
+  double angle(const int face, const int side) const
+  { return angle_between(m_normals[face], m_normals[neighbor(face, side)]); }
+
+  bool is_sharp_corner(const int f, const int corner) const
+  {
+    const Vector& p = m_surface.point(f, corner);
+    return angle_between(m_surface.point(f, next(corner)) - p, m_surface.point(f, previous(corner)) - p)
+         < largest_angle;
+  }
+
+  bool is_needle_between_features(const int f) const
+  {
+    for(int k = 0; k < 3; ++k)
+      if(is_feature(edge_class(f, k)) && is_feature(edge_class(f, previous(k))) && is_sharp_corner(f, k))
+        return is_sharp(f, 0) || is_sharp(f, 1) || is_sharp(f, 2);
+    return false;
+  }
+
+  // Is side k the short side of a needle behind which a wedge goes on? Its features meet at the tip and nowhere else,
+  // and go on at both ends of the side.
+  bool is_base_of_tip(const int f, const int k) const
+  {
+    const std::array<int, 3>& v = m_surface.triangles[f];
+    return m_may_be_sharp[m_edges.edge(f, k)] && is_sharp(f, next(k)) && is_sharp(f, previous(k))
+        && m_number_of_features[v[previous(k)]] == 2 && m_number_of_features[v[k]] >= 2
+        && m_number_of_features[v[next(k)]] >= 2;
+  }
+
+  // With the normal of the face at side k no features meet at a small angle any more, and there is no new one but at
+  // the base of a tip.
+  bool is_resolved(const int f, const int k) const
+  {
+    const Vector& normal = m_normals[neighbor(f, k)];
+    std::array<bool, 3> is_left = {{false, false, false}};
+    bool has_base = false;
+    for(const int side : {next(k), previous(k)})
+    {
+      const Edge_class c = edge_class(f, side);
+      is_left[side] = (c != INTERIOR_EDGE && c != SHARP_EDGE)
+                   || angle_between(normal, m_normals[neighbor(f, side)]) > m_sharp_angle;
+      if(is_left[side] && c == INTERIOR_EDGE)
+      {
+        has_base = is_base_of_tip(f, side);
+        if(!has_base)
+          return false;
+      }
+    }
+    const bool are_both_left = is_left[next(k)] && is_left[previous(k)];
+    return !(are_both_left && (has_base || is_sharp_corner(f, previous(k))));
+  }
+
+  // The sharp side with the smallest angle of those that may become smooth; -1 if there is none, or if there are two
+  // that lead to different sheets.
+  int side_to_join(const int f) const
+  {
+    int best = -1;
+    double least = 0.;
+    bool is_unique = true;
+    for(int k = 0; k < 3; ++k)
+    {
+      if(!is_sharp(f, k) || m_is_needle[neighbor(f, k)] || !is_resolved(f, k))
+        continue;
+      const double a = angle(f, k);
+      if(best != -1 && std::abs(a - least) <= angle_tolerance)
+        is_unique = is_unique
+                 && angle_between(m_normals[neighbor(f, k)], m_normals[neighbor(f, best)]) <= m_sharp_angle;
+      else if(best == -1 || a < least)
+      {
+        best = k;
+        least = a;
+        is_unique = true;
+      }
+    }
+    return is_unique ? best : -1;
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CLASSIFICATION_NEEDLES_H
