@@ -2,12 +2,16 @@
 # Installs what is missing, builds the tests and examples with assertions on, and runs them.
 # The last line is `N passed, N failed`.
 #
-#   test/run_tests.sh [--cgal DIR] [--build DIR] [--check-sources] [--sanitize KIND] [--programs LIST]
+#   test/run_tests.sh [--cgal DIR] [--build DIR] [--check-sources] [--sanitize KIND] [--coverage]
+#                     [--programs LIST]
 #
 #   --cgal DIR       the root of an unpacked libcgal-dev package to use instead of the installed one
 #   --build DIR      the build folder (build/test, or build/test-cgal with --cgal)
 #   --sanitize KIND  with the address and undefined-behaviour sanitizers, KIND `address`, or with that of
 #                    threads, KIND `thread`; takes many times as long
+#   --coverage       tells at last which part of the lines and branches of include/ the tests have run: a table of the
+#                    headers, with the numbers of the lines that have not run. A line of a template has run if it has
+#                    in one instance. Not optimized much, so it takes several times as long
 #   --programs LIST  only these programs, separated by blanks, and their tests, and that an installed package is found
 #   --check-sources  also check the sources themselves: every header alone, warnings, includes
 #
@@ -20,7 +24,9 @@ root=$(realpath "$(dirname "$0")/..")
 cgal=
 build=
 check_sources=OFF
-sanitizer=
+instruments=
+optimization=-O2
+coverage=OFF
 programs=()
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -31,12 +37,19 @@ while [ $# -gt 0 ]; do
       ;;
     --sanitize)
       case "${2:-}" in
-        address) sanitizer="-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer" ;;
-        thread)  sanitizer="-fsanitize=thread" ;;
+        address) instruments="-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer" ;;
+        thread)  instruments="-fsanitize=thread" ;;
         *)       echo "--sanitize needs address or thread" >&2; exit 2 ;;
       esac
       build=${build:-$root/build/test-$2}
       shift 2
+      ;;
+    --coverage)
+      coverage=ON
+      instruments="--coverage -fprofile-update=atomic"
+      optimization=-O1
+      build=${build:-$root/build/test-coverage}
+      shift
       ;;
     --programs)
       [ $# -ge 2 ] || { echo "--programs needs a list" >&2; exit 2; }
@@ -55,10 +68,11 @@ while [ $# -gt 0 ]; do
 done
 : "${build:=$root/build/test${cgal:+-cgal}}"
 
-export CXXFLAGS="${CXXFLAGS:-} $sanitizer"
+export CXXFLAGS="${CXXFLAGS:-} $instruments"
 
 packages=(g++ cmake make libgmp-dev libmpfr-dev libboost-dev libboost-program-options-dev
           libeigen3-dev libtbb-dev)
+[ $coverage = OFF ] || packages+=(gcovr)
 cgal_options=()
 if [ -z "$cgal" ]; then
   packages+=(libcgal-dev)
@@ -79,7 +93,7 @@ finish()
 say "configuring in $build"
 mkdir -p "$build"
 if ! cmake -S "$root" -B "$build" "${cgal_options[@]}" \
-       -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O2 -UNDEBUG" \
+       -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="$optimization -UNDEBUG" \
        -DBUILD_TESTING=ON -DCGAL_DATA_DIR="$CGAL_DATA_DIR" \
        -DHermite_diffuse_remeshing_CHECK_SOURCES=$check_sources \
        > "$build/configure.log" 2>&1; then
