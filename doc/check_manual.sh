@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the manual that Doxygen has written: check_manual.sh HTML_FOLDER INCLUDE_FOLDER
 #   - every link inside of it leads to a file and, where it names one, to an anchor there;
-#   - every name that the public headers declare has a place in it.
+#   - every name that the public headers declare, and every named parameter, has a place in it.
 # What Doxygen warns of is not looked for again.
 set -euo pipefail
 
@@ -39,8 +39,16 @@ sed -nE 's|^ *<name>(.*)</name>.*|\1|p' names.tag | sed -E 's/.*:://; s/ *<.*//;
 awk 'NR == FNR { known[$1] = 1; next } !($1 in known) { print $1 " of " $2 " has no place in the manual" }' \
     "$work/documented" "$work/names" >> "$work/errors"
 
+
+# named parameters, which functions and classes describe in their tables
+sed -nE 's/^ *ADD\([a-z_]+, [a-z_]+, ([a-z_]+)\).*/\1/p' \
+    "$include/CGAL/Hermite_diffuse_remeshing/named_parameters.h" | sort -u > "$work/parameters"
+grep -hE '^<td><code>[a-z_]+</code></td><td><ul>' -- *.html | sed -E 's|^<td><code>([a-z_]+)<.*|\1|' | sort -u > "$work/described"
+comm -23 "$work/parameters" "$work/described" | sed 's/$/: a named parameter that no page describes/' >> "$work/errors"
+
 if [ -s "$work/errors" ]; then
   cat "$work/errors"
   exit 1
 fi
-echo "$(wc -l < "$work/links") links and $(wc -l < "$work/names") names of the public headers are good"
+echo "$(wc -l < "$work/links") links and $(wc -l < "$work/names") names of the public headers are good,"
+echo "and $(wc -l < "$work/parameters") named parameters are described"

@@ -46,7 +46,7 @@ while [ $# -gt 0 ]; do
       ;;
     --coverage)
       coverage=ON
-      instruments="--coverage -fprofile-update=atomic"
+      instruments=--coverage
       optimization=-O1
       build=${build:-$root/build/test-coverage}
       shift
@@ -123,4 +123,10 @@ results=$(grep -E '^ *[0-9]+/[0-9]+ Test +#[0-9]+: ' "$log" \
             | grep -v -E '(_SetupFixture|_CleanupFixture|check_build_system) \.+ +Passed' || true)
 passed=$(grep -c -E ' Passed +[0-9.]+ sec' <<< "$results" || true)
 failed=$(grep -c -v -E ' Passed +[0-9.]+ sec|^$' <<< "$results" || true)
+
+if [ $coverage = ON ]; then
+  say "coverage of include/"
+  gcovr --root "$root" --filter "$root/include/" --object-directory "$build" "$build" \
+        --exclude-unreachable-branches --exclude-throw-branches --print-summary
+fi
 finish "$passed" "$failed"
