@@ -66,7 +66,12 @@ cp "$work"/page/*.cpp "$work/user"
   echo 'cmake_minimum_required(VERSION 3.12)'
   echo 'project(Newcomer CXX)'
   grep find_package "$work/printed.cmake"
-  echo 'find_package(CGAL QUIET OPTIONAL_COMPONENTS Qt5)'
+  # the viewer needs more
+  echo 'if(CGAL_VERSION VERSION_LESS 6)'
+  echo '  find_package(CGAL QUIET OPTIONAL_COMPONENTS Qt5)'
+  echo 'else()'
+  echo '  find_package(CGAL QUIET OPTIONAL_COMPONENTS Qt6)'
+  echo 'endif()'
   for program in "$work"/user/*.cpp; do
     name=$(basename "$program" .cpp)
     [ "$name" != draw_hermite_diffuse_remeshing_example ] || echo 'if(CGAL_Qt5_FOUND OR CGAL_Qt6_FOUND)'
