@@ -126,7 +126,7 @@ failed=$(grep -c -v -E ' Passed +[0-9.]+ sec|^$' <<< "$results" || true)
 
 if [ $coverage = ON ]; then
   say "coverage of include/"
-  gcovr --root "$root" --filter "$root/include/" --object-directory "$build" "$build" \
-        --exclude-unreachable-branches --exclude-throw-branches --print-summary
+  gcovr --root "$root" --filter "$root/include/" --exclude-unreachable-branches --exclude-throw-branches \
+        --print-summary "$build"
 fi
 finish "$passed" "$failed"
