@@ -1,7 +1,8 @@
 # Tests of the sources themselves, registered by the package's CMakeLists.txt on request.
 
 set(_check bash "${PROJECT_SOURCE_DIR}/test/check_sources.sh")
-foreach(_name include_direction version_use no_output no_abort guards manual_is_complete)
+foreach(_name include_direction version_use no_output no_abort guards lengths tests_mirror_folders
+        manual_is_complete)
   add_test(NAME "source_${_name}" COMMAND ${_check} ${_name})
 endforeach()
 

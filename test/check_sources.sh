@@ -54,6 +54,24 @@ guards)
   done | expect_none "these include guards are not the path in capitals"
   ;;
 
+# Every folder with headers has its group of tests, and every test program is in one group.
+tests_mirror_folders)
+  tests=$root/test/Hermite_diffuse_remeshing
+  groups=$(sed -n 's/^test_group(\(.*\))$/\1/p' "$tests/CMakeLists.txt")
+  {
+    diff <(cut -d ' ' -f 1 <<< "$groups" | sort) <(cd .. && find . -name '*.h' -printf '%h\n' | cut -c 3- | sort -u)
+    diff <(cut -d ' ' -f 2- <<< "$groups" | tr ' ' '\n' | sort) <(basename -s .cpp "$tests"/*.cpp | sort)
+  } | expect_none "the groups of test programs (<) are not the folders and programs (>)"
+  ;;
+
+# No header is too long to be read at once.
+lengths)
+  find . -name '*.h' -exec awk 'END { if(FNR > 400) print FILENAME ": " FNR " lines" }' {} \; \
+    | expect_none "these headers are longer than 400 lines"
+  awk 'END { if(FNR > 150) print FNR " lines" }' $internal/Transformation/Remesher.h \
+    | expect_none "Remesher.h, the paper's section 4, is longer than 150 lines"
+  ;;
+
 # The manual prints all examples, and shows all figures.
 manual_is_complete)
   cd "$root" || exit 1

@@ -2,13 +2,17 @@
 # Installs what is missing, builds the tests and examples with assertions on, and runs them.
 # The last line is `N passed, N failed`.
 #
-#   test/run_tests.sh [--cgal DIR] [--build DIR] [--check-sources] [--sanitize KIND] [--programs LIST]
+#   test/run_tests.sh [--cgal DIR] [--build DIR] [--check-sources] [--sanitize KIND] [--coverage]
+#                     [--programs LIST]
 #
 #   --cgal DIR       the root of an unpacked libcgal-dev package to use instead of the installed one
 #   --build DIR      the build folder (build/test, or build/test-cgal with --cgal)
 #   --sanitize KIND  with the address and undefined-behaviour sanitizers, KIND `address,undefined`, or with that of
 #                    threads, KIND `thread`; takes many times as long. Programs with threads are test_determinism
 #                    and, by TBB, test_diffuse_surface
+#   --coverage       tells at last which part of the lines and branches of include/ the tests have run: a table of the
+#                    headers, with the numbers of the lines that have not run. A line of a template has run if it has
+#                    in one instance. Not optimized much, so it takes several times as long
 #   --programs LIST  only these programs, separated by blanks, and their tests, and that an installed package is found
 #   --check-sources  also check the sources themselves: every header alone, warnings, includes
 #
@@ -21,8 +25,9 @@ root=$(realpath "$(dirname "$0")/..")
 cgal=
 build=
 check_sources=OFF
-sanitizer=
+instruments=
 optimization=-O2
+coverage=OFF
 programs=()
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -34,11 +39,11 @@ while [ $# -gt 0 ]; do
     --sanitize)
       case "${2:-}" in
         address,undefined)
-          sanitizer="-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer"
+          instruments="-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer"
           export UBSAN_OPTIONS="print_stacktrace=1"
           ;;
         thread)
-          sanitizer="-fsanitize=thread"
+          instruments="-fsanitize=thread"
           export TSAN_OPTIONS="suppressions=$root/test/thread_sanitizer.supp history_size=4"
           ;;
         *)
@@ -50,6 +55,13 @@ while [ $# -gt 0 ]; do
       optimization="-O1 -g1"
       build=${build:-$root/build/test-${2%%,*}}
       shift 2
+      ;;
+    --coverage)
+      coverage=ON
+      instruments=--coverage
+      optimization=-O1
+      build=${build:-$root/build/test-coverage}
+      shift
       ;;
     --programs)
       [ $# -ge 2 ] || { echo "--programs needs a list" >&2; exit 2; }
@@ -68,10 +80,11 @@ while [ $# -gt 0 ]; do
 done
 : "${build:=$root/build/test${cgal:+-cgal}}"
 
-export CXXFLAGS="${CXXFLAGS:-} $sanitizer"
+export CXXFLAGS="${CXXFLAGS:-} $instruments"
 
 packages=(g++ cmake make libgmp-dev libmpfr-dev libboost-dev libboost-program-options-dev
           libeigen3-dev libtbb-dev)
+[ $coverage = OFF ] || packages+=(gcovr)
 cgal_options=()
 if [ -z "$cgal" ]; then
   packages+=(libcgal-dev)
@@ -122,4 +135,10 @@ results=$(grep -E '^ *[0-9]+/[0-9]+ Test +#[0-9]+: ' "$log" \
             | grep -v -E '(_SetupFixture|_CleanupFixture|check_build_system) \.+ +Passed' || true)
 passed=$(grep -c -E ' Passed +[0-9.]+ sec' <<< "$results" || true)
 failed=$(grep -c -v -E ' Passed +[0-9.]+ sec|^$' <<< "$results" || true)
+
+if [ $coverage = ON ]; then
+  say "coverage of include/"
+  gcovr --root "$root" --filter "$root/include/" --exclude-unreachable-branches --exclude-throw-branches \
+        --print-summary "$build"
+fi
 finish "$passed" "$failed"

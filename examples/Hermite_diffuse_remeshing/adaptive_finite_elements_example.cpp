@@ -1,9 +1,7 @@
 // Linear finite elements for u - laplace(u) = f on the unit sphere, where u has a sharp layer. The error is
 // estimated after Zienkiewicz and Zhu, turned into sizes, and the sphere is remeshed with them, repeatedly.
 // The exact solution is known: the error is printed against the number of unknowns, for uniform meshes
-// and for adapted ones. Writes adapted_<step>.vtp.
-
-#include "vtp_io.h"
+// and for adapted ones. Writes adapted_<step>.ply.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -16,10 +14,10 @@
 
 #include <Eigen/Sparse>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -196,23 +194,17 @@ Mesh remeshed(const Mesh& input, const SizeField& field)
   return mesh;
 }
 
-void write(const Mesh& mesh, const Eigen::VectorXd& u, const Mesh::Property_map<face_descriptor, double>& errors,
-           const std::string& filename)
+// the solution as colours, from blue for -1 to red for 1
+void write(Mesh& mesh, const Eigen::VectorXd& u, const std::string& filename)
 {
-  std::vector<K::Point_3> points;
-  std::vector<std::vector<std::size_t> > polygons;
-  vtp::Data_array values("u", std::vector<double>(u.data(), u.data() + u.size())), error("error", {});
+  const auto color = mesh.add_property_map<vertex_descriptor, CGAL::IO::Color>("v:color").first;
   for(const vertex_descriptor v : mesh.vertices())
-    points.push_back(mesh.point(v));
-  for(const face_descriptor f : mesh.faces())
   {
-    const Element e(mesh, f);
-    polygons.push_back({ e.vertices[0], e.vertices[1], e.vertices[2] });
-    error.second.push_back(errors[f]);
+    const double share = std::clamp((u[v] + 1.) / 2., 0., 1.);
+    color[v] = CGAL::IO::Color(static_cast<unsigned char>(255. * share), 0,
+                               static_cast<unsigned char>(255. * (1. - share)));
   }
-  std::ofstream file(filename);
-  file.precision(9);
-  vtp::write(file, points, polygons, { values }, { error });
+  CGAL::IO::write_PLY(filename, mesh, CGAL::parameters::stream_precision(17));
 }
 
 // how fast the error falls with the number of unknowns; the best for linear elements is -1/2
@@ -242,7 +234,7 @@ int main()
   {
     const Eigen::VectorXd u = solve(mesh);
     const auto errors = estimate_errors(mesh, u);
-    write(mesh, u, errors, "adapted_" + std::to_string(step) + ".vtp");
+    write(mesh, u, "adapted_" + std::to_string(step) + ".ply");
     adapted.push_back({{ double(mesh.number_of_vertices()), exact_error(mesh, u) }});
     std::cout << "adapted\t" << adapted.back()[0] << "\t" << adapted.back()[1];
     if(step > 0)

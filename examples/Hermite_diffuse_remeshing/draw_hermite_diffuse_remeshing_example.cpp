@@ -1,9 +1,10 @@
-// Shows the input coloured by its mean curvature, then the result, in CGAL's viewer.
+// Shows side by side in CGAL's viewer: a mesh, its mean curvature, and the result of the remeshing with its own.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/draw_surface_mesh.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_curvatures.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 
@@ -12,32 +13,80 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <vector>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel   K;
 typedef CGAL::Surface_mesh<K::Point_3>                        Mesh;
+typedef CGAL::IO::Color                                       Color;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 // blue where the surface is convex, white where it is flat, red in folds
-void color_by_curvature(Mesh& mesh)
+std::vector<Color> colors_by_curvature(const Mesh& mesh, const double length)
 {
-  const auto curvature = mesh.add_property_map<Mesh::Vertex_index, double>("v:curvature").first;
-  PMP::hermite_diffuse_curvatures(mesh, CGAL::parameters::mean_curvature_map(curvature));
-  double sum = 0.;
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    sum += std::abs(curvature[v]);
-  const double usual = 2. * sum / mesh.number_of_vertices();
+  Mesh copy = mesh;
+  const auto curvature = copy.add_property_map<Mesh::Vertex_index, double>("v:curvature").first;
+  PMP::hermite_diffuse_curvatures(copy, CGAL::parameters::mean_curvature_map(curvature));
 
-  const auto color = mesh.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
-  for(const Mesh::Face_index f : mesh.faces())
+  std::vector<Color> colors;
+  for(const Mesh::Face_index f : copy.faces())
   {
     double mean = 0.;
-    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+    for(const Mesh::Vertex_index v : copy.vertices_around_face(copy.halfedge(f)))
       mean += curvature[v] / 3.;
-    const double share = (std::max)(-1., (std::min)(1., mean / usual));
+    // full colours at a radius of a tenth of the length
+    const double share = std::clamp(mean * length / 10., -1., 1.);
     const auto rest = static_cast<unsigned char>(255. * (1. - std::abs(share)));
-    color[f] = share > 0. ? CGAL::IO::Color(255, rest, rest) : CGAL::IO::Color(rest, rest, 255);
+    colors.push_back(share > 0. ? Color(255, rest, rest) : Color(rest, rest, 255));
   }
+  return colors;
+}
+
+void add_to_scene(const Mesh& mesh, const std::vector<Color>& colors, const K::Vector_3& shift, Mesh& scene)
+{
+  const auto color = scene.add_property_map<Mesh::Face_index, Color>("f:color").first;
+  const Mesh::size_type first = scene.number_of_vertices();
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    scene.add_vertex(mesh.point(v) + shift);
+  std::size_t i = 0;
+  for(const Mesh::Face_index f : mesh.faces())
+  {
+    std::vector<Mesh::Vertex_index> corners;
+    for(const Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+      corners.push_back(Mesh::Vertex_index(first + v));
+    color[scene.add_face(corners)] = colors[i++];
+  }
+}
+
+#if CGAL_VERSION_MAJOR < 6
+// with the colours of the faces, which draw() knows from CGAL 6 on
+struct Viewer : CGAL::SimpleFaceGraphViewerQt
+{
+  template <typename FaceColor>
+  Viewer(const Mesh& mesh, const char* title, const FaceColor& color)
+    : CGAL::SimpleFaceGraphViewerQt(nullptr, mesh, title, false, color)
+  {
+    m_use_mono_color = false;
+    m_size_edges = 1.;
+    resize(1400, 600);
+  }
+};
+#endif
+
+void show(const Mesh& scene, const char* title)
+{
+#if CGAL_VERSION_MAJOR >= 6
+  CGAL::draw(scene, title);
+#else
+  const auto colors = scene.property_map<Mesh::Face_index, Color>("f:color").first;
+  CGAL::Qt::init_ogl_context(4, 3);
+  int argc = 1;
+  const char* argv[] = {"viewer", nullptr};
+  QApplication application(argc, const_cast<char**>(argv));
+  Viewer viewer(scene, title, [=](const Mesh&, const Mesh::Face_index f) { return colors[f]; });
+  viewer.show();
+  application.exec();
+#endif
 }
 
 int main(int argc, char* argv[])
@@ -49,12 +98,17 @@ int main(int argc, char* argv[])
     std::cerr << "Cannot read a mesh from " << filename << std::endl;
     return EXIT_FAILURE;
   }
-  color_by_curvature(mesh);
-  CGAL::draw(mesh, "Input and its mean curvature");
+  Mesh result = mesh;
+  PMP::hermite_diffuse_remesh(result, CGAL::parameters::approximation_error(0.05));
+  result.collect_garbage();
 
-  PMP::hermite_diffuse_remesh(mesh, CGAL::parameters::approximation_error(0.02));
-  mesh.collect_garbage();
-  color_by_curvature(mesh);
-  CGAL::draw(mesh, "Result");
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  const double length = (std::max)({box.x_span(), box.y_span(), box.z_span()});
+  const K::Vector_3 step(1.1 * box.x_span(), 0., 0.);
+  Mesh scene;
+  add_to_scene(mesh, std::vector<Color>(mesh.number_of_faces(), CGAL::IO::white()), 0. * step, scene);
+  add_to_scene(mesh, colors_by_curvature(mesh, length), step, scene);
+  add_to_scene(result, colors_by_curvature(result, length), 2. * step, scene);
+  show(scene, "Input, its mean curvature, and the result");
   return EXIT_SUCCESS;
 }

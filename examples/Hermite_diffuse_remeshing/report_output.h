@@ -192,7 +192,7 @@ void write_json(std::ostream& os,
      << "  \"stop_reason\": \"" << name(r.stop_reason) << "\",\n"
      << "  \"counts\": {\"splits\": " << r.number_of_splits
      << ", \"collapses\": " << r.number_of_collapses << ", \"flips\": " << r.number_of_flips
-     << ", \"relocations\": " << r.number_of_relocations << "},\n"
+     << ", \"vertex_removals\": " << r.number_of_vertex_removals << ", \"relocations\": " << r.number_of_relocations << "},\n"
      << "  \"seconds\": " << number(r.seconds) << ",\n"
      << "  \"stages\": {";
   const char* separator = "";

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
 #define CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
@@ -53,8 +54,12 @@ class Hermite_diffuse_size_map
 public:
   /// \name Types
   /// @{
+
+  /// the geometry traits
   typedef GeomTraits_ Geom_traits;
+  /// the number type of the traits
   typedef typename Geom_traits::FT FT;
+  /// the point type of the traits
   typedef typename Geom_traits::Point_3 Point_3;
   /// rank of a face of the mesh, at the time of the construction, and the barycentric coordinates in it
   typedef std::pair<std::size_t, std::array<FT, 3> > Face_location;
@@ -98,9 +103,8 @@ public:
   /// the number of faces.
   FT size(const Point_3& p) const
   {
-    return FT((*m_sizes)(m_model->locator.closest(Vector(CGAL::to_double(m_traits.compute_x_3_object()(p)),
-                                                         CGAL::to_double(m_traits.compute_y_3_object()(p)),
-                                                         CGAL::to_double(m_traits.compute_z_3_object()(p))))));
+    const Hermite_diffuse_remeshing::internal::Point_reader<Geom_traits> read_point(m_traits);
+    return FT((*m_sizes)(m_model->locator.closest(read_point(p))));
   }
 
   /// returns the size at a location on the mesh, a length; in constant time.

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_SURFACE_H
 
 #include <CGAL/Hermite_diffuse_remeshing/Principal_curvatures_and_directions.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/order_for_locality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
@@ -61,12 +62,20 @@ class Hermite_diffuse_surface
 public:
   /// \name Types
   /// @{
+
+  /// the geometry traits
   typedef GeomTraits_ Geom_traits;
+  /// the number type of the traits
   typedef typename Geom_traits::FT FT;
+  /// the point type of the traits
   typedef typename Geom_traits::Point_3 Point_3;
+  /// the vector type of the traits
   typedef typename Geom_traits::Vector_3 Vector_3;
+  /// a face of the mesh
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+  /// a halfedge of the mesh
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+  /// a vertex of the mesh
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   /// a face and the barycentric coordinates in it, which are not negative and add up to one
   typedef std::pair<face_descriptor, std::array<FT, 3> > Face_location;
@@ -221,8 +230,7 @@ private:
 
   Vector from_point(const Point_3& p) const
   {
-    return Vector(m_traits.compute_x_3_object()(p), m_traits.compute_y_3_object()(p),
-                  m_traits.compute_z_3_object()(p));
+    return Hermite_diffuse_remeshing::internal::Point_reader<Geom_traits>(m_traits)(p);
   }
   Point_3 to_point(const Vector& v) const { return m_traits.construct_point_3_object()(FT(v[0]), FT(v[1]), FT(v[2])); }
   Vector_3 to_vector(const Vector& v) const

@@ -34,6 +34,14 @@ struct Triangles
 {
   std::vector<Point> points;
   std::vector<std::array<std::size_t, 3> > faces;
+
+  // as two triangles, by one of its diagonals
+  void add_quadrangle(const std::array<std::size_t, 4>& v, Random& random)
+  {
+    const std::size_t first = random(0., 1.) < 0.5 ? 0 : 1;
+    faces.push_back({{v[0], v[1], v[2 + first]}});
+    faces.push_back({{v[first], v[2], v[3]}});
+  }
 };
 
 // A grid over [0,1]^2, nu by nv cells, with jittered inner vertices and random diagonals, mapped by
@@ -57,19 +65,7 @@ Triangles irregular_grid(const int nu, const int nv, const bool periodic_u, cons
   { return std::size_t(j % rows) * columns + std::size_t(i % columns); };
   for(int j = 0; j < nv; ++j)
     for(int i = 0; i < nu; ++i)
-    {
-      const std::size_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
-      if(random(0., 1.) < 0.5)
-      {
-        result.faces.push_back({{a, b, c}});
-        result.faces.push_back({{a, c, d}});
-      }
-      else
-      {
-        result.faces.push_back({{a, b, d}});
-        result.faces.push_back({{b, c, d}});
-      }
-    }
+      result.add_quadrangle({{vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)}}, random);
   return result;
 }
 

@@ -202,17 +202,7 @@ struct Ellipsoid_123
               key[(axis + 2) % 3] = side == 1 ? v : u;
               return vertex(key);
             };
-            const std::size_t p = at(i, j), q = at(i + 1, j), r = at(i + 1, j + 1), s = at(i, j + 1);
-            if(random(0., 1.) < 0.5)
-            {
-              result.faces.push_back({{p, q, r}});
-              result.faces.push_back({{p, r, s}});
-            }
-            else
-            {
-              result.faces.push_back({{p, q, s}});
-              result.faces.push_back({{q, r, s}});
-            }
+            result.add_quadrangle({{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}}, random);
           }
     return result;
   }

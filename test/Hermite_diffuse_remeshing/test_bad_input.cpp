@@ -53,16 +53,20 @@ Surface_mesh mesh_with_double_edge()
   return mesh;
 }
 
+void join_vertices(const Surface_mesh::Vertex_index kept, const Surface_mesh::Vertex_index gone, Surface_mesh& mesh)
+{
+  for(const auto h : mesh.halfedges())
+    if(mesh.target(h) == gone)
+      mesh.set_target(h, kept);
+  mesh.remove_vertex(gone);
+}
+
 // two closed surfaces with one vertex in common
 Surface_mesh mesh_with_pinched_vertex()
 {
   Surface_mesh mesh = tetrahedron(), other = tetrahedron(-1.);
   mesh += other;
-  const Surface_mesh::Vertex_index kept(0), gone(4);
-  for(const auto h : mesh.halfedges())
-    if(mesh.target(h) == gone)
-      mesh.set_target(h, kept);
-  mesh.remove_vertex(gone);
+  join_vertices(Surface_mesh::Vertex_index(0), Surface_mesh::Vertex_index(4), mesh);
   return mesh;
 }
 
@@ -70,11 +74,7 @@ Surface_mesh mesh_with_pinched_vertex()
 Surface_mesh mesh_with_repeated_corner()
 {
   Surface_mesh mesh = tetrahedron();
-  const Surface_mesh::Vertex_index kept(0), gone(1);
-  for(const auto h : mesh.halfedges())
-    if(mesh.target(h) == gone)
-      mesh.set_target(h, kept);
-  mesh.remove_vertex(gone);
+  join_vertices(Surface_mesh::Vertex_index(0), Surface_mesh::Vertex_index(1), mesh);
   return mesh;
 }
 

@@ -126,17 +126,7 @@ void test_fillets(const int columns, const double rounding)
       add_row(segment.point, double(j) / rows, j < rows ? 0.25 / rows : 0.);
       for(int i = 0; i < columns; ++i)
       {
-        const std::size_t a = at(i, row - 2), b = at(i + 1, row - 2), c = at(i + 1, row - 1), d = at(i, row - 1);
-        if(random(0., 1.) < 0.5)
-        {
-          t.faces.push_back({{a, b, c}});
-          t.faces.push_back({{a, c, d}});
-        }
-        else
-        {
-          t.faces.push_back({{a, b, d}});
-          t.faces.push_back({{b, c, d}});
-        }
+        t.add_quadrangle({{at(i, row - 2), at(i + 1, row - 2), at(i + 1, row - 1), at(i, row - 1)}}, random);
         expected.insert(expected.end(), 2, segment.type);
       }
     }

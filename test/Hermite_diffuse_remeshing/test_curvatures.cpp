@@ -1,5 +1,6 @@
 // Curvatures at vertices through the public functions, and the public surface, on two mesh types.
 
+#include "is_refused.h"
 #include "model_measures.h"
 
 #include <CGAL/Hermite_diffuse_surface.h>
@@ -10,12 +11,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <iostream>
-#include <stdexcept>
 #include <type_traits>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -254,14 +255,6 @@ void test_rims()
   assert(is_at_most("curvatures of a mantle", error_of_mantle, 0.05));
 }
 
-template <typename Action>
-bool is_refused(const Action& action)
-{
-  try { action(); }
-  catch(const std::invalid_argument&) { return true; }
-  return false;
-}
-
 void test_misuse()
 {
   typedef CGAL::Surface_mesh<Point_3> Mesh;
@@ -278,6 +271,13 @@ void test_misuse()
                                                 .polynomial_degree(3)); }));
   mesh.point(*vertices(mesh).begin()) = Point_3(0., 0., std::numeric_limits<double>::quiet_NaN());
   assert(is_refused([&] { PMP::hermite_diffuse_curvatures(mesh); }));
+  const auto at_first = [&] { PMP::hermite_diffuse_curvatures(*vertices(mesh).begin(), mesh,
+                                                              np::mean_curvature(std::ref(m))); };
+  assert(is_refused(at_first));
+  mesh.clear();
+  CGAL::make_hexahedron(Point_3(0., 0., 0.), Point_3(1., 0., 0.), Point_3(1., 1., 0.), Point_3(0., 1., 0.),
+                        Point_3(0., 1., 1.), Point_3(0., 0., 1.), Point_3(1., 0., 1.), Point_3(1., 1., 1.), mesh);
+  assert(is_refused(at_first));
 }
 
 int main()

@@ -4,8 +4,10 @@
 #include "archetypes.h"
 #include "test_helpers.h"
 
+#include <CGAL/Hermite_diffuse_remeshing/sizes_from_errors.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/Polygon_mesh_processing/Hermite_diffuse_sizing_field.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 
@@ -149,17 +151,26 @@ struct External_points
   }
 };
 
-void test_archetypes(const Soup& soup, const Surface_mesh& expected)
+typedef std::map<Surface_mesh::Vertex_index, archetype::Point> Point_table;
+
+// the mesh of a soup, its points outside
+Surface_mesh make_without_points(const Soup& soup, Point_table& points)
 {
-  std::cout << "archetypes" << std::endl;
   Surface_mesh mesh = make<Surface_mesh>(soup);
-  std::map<Surface_mesh::Vertex_index, archetype::Point> points;
   for(const auto v : mesh.vertices())
   {
     const Point_3 p = mesh.point(v);
     points.emplace(v, archetype::Point(p.x(), p.y(), p.z()));
     mesh.point(v) = Point_3(0., 0., 0.);                           // where nobody looks
   }
+  return mesh;
+}
+
+void test_archetypes(const Soup& soup, const Surface_mesh& expected)
+{
+  std::cout << "archetypes" << std::endl;
+  Point_table points;
+  Surface_mesh mesh = make_without_points(soup, points);
   archetype::Calls calls;
   archetype::Visitor<Surface_mesh> visitor;
   const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(approximation_error)
@@ -179,6 +190,49 @@ void test_archetypes(const Soup& soup, const Surface_mesh& expected)
   // the coordinates are read once, and a point is made for every change and every question to the field
   assert(calls.reads == 3 * soup.points.size());
   assert(calls.constructions > report.number_of_splits + report.number_of_relocations);
+}
+
+// what gives sizes reads points by the traits alone
+void test_archetypes_of_sizes(const Soup& soup)
+{
+  std::cout << "archetypes of sizes" << std::endl;
+  const Surface_mesh plain = make<Surface_mesh>(soup);
+  Point_table points;
+  Surface_mesh mesh = make_without_points(soup, points);
+  const External_points point_map{&points};
+  archetype::Calls calls;
+
+  const PMP::Hermite_diffuse_sizing_field<Surface_mesh, archetype::Traits, External_points> sizing(
+    mesh, params::approximation_error(approximation_error).vertex_point_map(point_map)
+                                                          .geom_traits(archetype::Traits(calls)));
+  const PMP::Hermite_diffuse_sizing_field<Surface_mesh> plain_sizing(plain,
+                                                                     params::approximation_error(approximation_error));
+  int number_of_long_edges = 0, number_of_short_edges = 0;
+  for(const auto h : halfedges(mesh))
+  {
+    const auto v = source(h, mesh), w = target(h, mesh);
+    assert(sizing.at(v, mesh) == plain_sizing.at(v, plain));
+    assert(sizing.is_too_long(v, w, mesh) == plain_sizing.is_too_long(v, w, plain));
+    assert(sizing.is_too_short(h, mesh) == plain_sizing.is_too_short(h, plain));
+    number_of_long_edges += bool(sizing.is_too_long(v, w, mesh));
+    number_of_short_edges += bool(sizing.is_too_short(h, mesh));
+    const Point_3 middle = plain_sizing.split_placement(h, plain);
+    const archetype::Point p = sizing.split_placement(h, mesh);
+    assert(Point_3(p.c[0], p.c[1], p.c[2]) == middle);
+    assert(CGAL::squared_distance(middle, CGAL::midpoint(plain.point(v), plain.point(w))) < 1e-30);
+  }
+  assert(number_of_long_edges > 100 && number_of_short_edges > 100);
+
+  const auto errors = mesh.add_property_map<Surface_mesh::Face_index, double>("f:error", 1.).first;
+  const auto sizes = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:size").first;
+  const auto plain_sizes = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:plain_size").first;
+  calls = archetype::Calls();
+  HDR::sizes_for_error(mesh, errors, 1., 10., sizes,
+                       CGAL::parameters::vertex_point_map(point_map).geom_traits(archetype::Traits(calls)));
+  HDR::sizes_for_error(plain, errors, 1., 10., plain_sizes);
+  assert(calls.reads == 3 * soup.points.size() && calls.constructions == 0);
+  for(const auto v : vertices(mesh))
+    assert(sizes[v] > 0. && sizes[v] == plain_sizes[v]);
 }
 
 int main()
@@ -202,6 +256,7 @@ int main()
   std::cout << "OpenMesh was not found" << std::endl;
 #endif
   test_archetypes(soup, expected);
+  test_archetypes_of_sizes(soup);
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -22,9 +22,14 @@ public:
   /// \name Types
   /// of the mesh that is remeshed, as given by `boost::graph_traits`
   /// @{
+
+  /// a vertex of the mesh
   typedef unspecified_type vertex_descriptor;
+  /// a halfedge of the mesh
   typedef unspecified_type halfedge_descriptor;
+  /// an edge of the mesh
   typedef unspecified_type edge_descriptor;
+  /// a face of the mesh
   typedef unspecified_type face_descriptor;
   /// @}
 

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_BACKGROUND_SIZE_FIELDS_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_locator.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -121,9 +122,8 @@ public:
 private:
   Kernel::Point_3 to_point(const typename GeomTraits::Point_3& p) const
   {
-    return Kernel::Point_3(CGAL::to_double(m_traits.compute_x_3_object()(p)),
-                           CGAL::to_double(m_traits.compute_y_3_object()(p)),
-                           CGAL::to_double(m_traits.compute_z_3_object()(p)));
+    const internal::Vector q = internal::Point_reader<GeomTraits>(m_traits)(p);
+    return Kernel::Point_3(q[0], q[1], q[2]);
   }
 };
 
@@ -191,9 +191,7 @@ public:
   /// returns the size at the closest point of the background.
   double operator()(const typename GeomTraits::Point_3& p) const
   {
-    const internal::Vector query(CGAL::to_double(m_traits.compute_x_3_object()(p)),
-                                 CGAL::to_double(m_traits.compute_y_3_object()(p)),
-                                 CGAL::to_double(m_traits.compute_z_3_object()(p)));
+    const internal::Vector query = internal::Point_reader<GeomTraits>(m_traits)(p);
     const internal::Indexed_triangles& triangles = m_data->triangles;
     const std::pair<int, internal::Vector> closest = m_data->tree->closest(query);
     const int f = closest.first;

@@ -162,17 +162,19 @@ struct Low_quality_face
 template <typename TriangleMesh>
 struct Remeshing_report
 {
+  /// a face of the mesh
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
 
   /// \name Size of the mesh
   /// @{
-  std::size_t number_of_input_faces = 0;
+  std::size_t number_of_input_faces = 0;   ///< of the whole mesh before remeshing
   std::size_t number_of_faces = 0;         ///< of the whole mesh after remeshing
   std::size_t number_of_vertices = 0;      ///< of the whole mesh after remeshing
   /// @}
 
   /// \name State of the input
   /// @{
+
   /// faces whose height is within the rounding of the coordinates
   std::size_t number_of_degenerate_input_faces = 0;
   /// those of them that could not be repaired before the surface was fitted
@@ -184,10 +186,10 @@ struct Remeshing_report
 
   /// \name Quality of the remeshed faces
   /// @{
-  double smallest_input_quality = 0.;
-  double mean_input_quality = 0.;
-  double smallest_quality = 0.;
-  double mean_quality = 0.;
+  double smallest_input_quality = 0.;      ///< of the input, where it is remeshed
+  double mean_input_quality = 0.;          ///< of the input, where it is remeshed
+  double smallest_quality = 0.;            ///< of the result
+  double mean_quality = 0.;                ///< of the result
   /// the faces with a quality below `Low_quality_face::low_quality`, the worst first
   std::vector<Low_quality_face<face_descriptor> > low_quality_faces;
   /// @}
@@ -196,10 +198,12 @@ struct Remeshing_report
   /// measured at vertices, edge middles and face centroids of the result, and back, from the vertices of
   /// the input and from the middles of its feature edges, on their curves, to the result.
   /// @{
+
   /// `false` if the remeshing was stopped before it was measured; then the other fields mean nothing
   bool is_deviation_measured = false;
-  double largest_deviation = 0.;
-  double mean_deviation = 0.;
+  double largest_deviation = 0.;           ///< a length
+  double mean_deviation = 0.;              ///< a length
+  /// the point of the result or of the model at which `largest_deviation` was measured
   std::array<double, 3> point_of_largest_deviation = {{0., 0., 0.}};
   /// the bound that was asked for, infinite if there was none
   double maximum_deviation = std::numeric_limits<double>::infinity();
@@ -215,6 +219,7 @@ struct Remeshing_report
 
   /// \name Sizes
   /// @{
+
   /// part of the edges with a length between half and twice the size asked for, in [0, 1]
   double size_conformity = 0.;
   /// number of faces of the whole mesh that was expected from the sizes before anything was changed:
@@ -226,19 +231,21 @@ struct Remeshing_report
 
   /// \name Classification
   /// @{
-  std::size_t number_of_corners = 0;
+  std::size_t number_of_corners = 0;        ///< of the input, those of the user included
   std::size_t number_of_feature_edges = 0;  ///< of the input: boundary edges, sharp edges, user's edges
-  std::size_t number_of_curves = 0;
+  std::size_t number_of_curves = 0;         ///< chains of feature edges between corners; closed ones count twice
   /// @}
 
   /// \name What was done
   /// @{
-  std::size_t number_of_splits = 0;
-  std::size_t number_of_collapses = 0;
-  std::size_t number_of_flips = 0;
-  std::size_t number_of_relocations = 0;
-  std::size_t number_of_iterations = 0;
-  Stop_reason stop_reason = CONVERGED;
+  std::size_t number_of_splits = 0;         ///< of edges
+  std::size_t number_of_collapses = 0;      ///< of edges
+  std::size_t number_of_flips = 0;          ///< of edges
+  /// of vertices that were removed with their edges, the polygon being filled with others
+  std::size_t number_of_vertex_removals = 0;
+  std::size_t number_of_relocations = 0;    ///< of vertices that were given another point
+  std::size_t number_of_iterations = 0;     ///< passes over the sizes, those for the deviation included
+  Stop_reason stop_reason = CONVERGED;      ///< why it ended
   /// name and seconds of every stage, in the order of the run
   std::vector<std::pair<std::string, double> > stages;
   double seconds = 0.;                      ///< of the whole call

@@ -147,6 +147,7 @@ class Minimum_size_field
   std::tuple<SizeFields...> m_fields;
 
 public:
+  /// copies the fields.
   explicit Minimum_size_field(const SizeFields&... fields) : m_fields(fields...) {}
 
   /// returns the smallest of the sizes.

@@ -9,15 +9,15 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_SIZES_FROM_ERRORS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_SIZES_FROM_ERRORS_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -30,31 +30,22 @@ namespace internal {
 // An error that is integrated over an element goes with h^(p+1) if it goes with h^p at a point. The mesh
 // with the fewest elements for an error has the same error e in each of them, so an element with the
 // error E becomes (E/e)^(2/(p+1)) elements.
-template <typename TriangleMesh, typename FaceErrorMap, typename VertexSizeMap>
 class Error_distribution
 {
-  const TriangleMesh& m_tmesh;
-  std::vector<double> m_areas, m_powers;             // of the faces: area, E^(2/(p+1))
+  const Indexed_triangles& m_triangles;
+  std::vector<double> m_powers;                      // E^(2/(p+1)) of the faces
   double m_sum_of_powers = 0.;
   double m_order;
 
 public:
-  Error_distribution(const TriangleMesh& tmesh, const FaceErrorMap& errors, const double order)
-    : m_tmesh(tmesh), m_order(order)
+  Error_distribution(const Indexed_triangles& triangles, const std::vector<double>& errors, const double order)
+    : m_triangles(triangles), m_order(order)
   {
-    typedef typename GetGeomTraits<TriangleMesh>::type GT;
     check_positive_parameter("the order of the error", order);
-    const GT traits = GT();
-    const auto points = get_const_property_map(CGAL::vertex_point, tmesh);
-    const auto squared_area = traits.compute_squared_area_3_object();
-    for(const auto f : faces(tmesh))
+    for(const double error : errors)
     {
-      const double error = CGAL::to_double(get(errors, f));
       if(!(error >= 0.) || !std::isfinite(error))
-        refuse("the error of face " + std::to_string(m_areas.size()), error, "it must be finite and not negative");
-      const auto h = halfedge(f, tmesh);
-      m_areas.push_back(std::sqrt(CGAL::to_double(squared_area(get(points, source(h, tmesh)), get(points, target(h, tmesh)),
-                                                               get(points, target(next(h, tmesh), tmesh))))));
+        refuse("the error of face " + std::to_string(m_powers.size()), error, "it must be finite and not negative");
       m_powers.push_back(std::pow(error, 2. / (order + 1.)));
       m_sum_of_powers += m_powers.back();
     }
@@ -69,33 +60,41 @@ public:
     return std::pow(target * target / m_sum_of_powers, 1. / m_order);
   }
 
-  // An equilateral triangle of size h has the area sqrt(3)/4 h^2. At a vertex the elements per area of its
-  // faces are averaged, so that their number is kept.
-  void write(const double power, const VertexSizeMap& sizes) const
+  // Sizes at the vertices. An equilateral triangle of size h has the area sqrt(3)/4 h^2. At a vertex the elements
+  // per area of its faces are averaged, so that their number is kept.
+  std::vector<double> sizes(const double power) const
   {
-    auto rank = get(CGAL::dynamic_vertex_property_t<std::size_t>(), m_tmesh);
-    std::size_t n = 0;
-    for(const auto v : vertices(m_tmesh))
-      put(rank, v, n++);
-    std::vector<double> area(n, 0.), number(n, 0.);
-    std::size_t i = 0;
-    for(const auto f : faces(m_tmesh))
-    {
-      for(const auto v : CGAL::vertices_around_face(halfedge(f, m_tmesh), m_tmesh))
+    const std::size_t n = m_triangles.points.size();
+    std::vector<double> area(n, 0.), number(n, 0.), result;
+    for(int f = 0; f < m_triangles.number_of_faces(); ++f)
+      for(const int v : m_triangles.triangles[f])
       {
-        area[get(rank, v)] += m_areas[i];
-        number[get(rank, v)] += m_powers[i] / power;
+        area[v] += 0.5 * m_triangles.area_vector(f).norm();
+        number[v] += m_powers[f] / power;
       }
-      ++i;
-    }
-    for(const auto v : vertices(m_tmesh))
-    {
-      const double elements = number[get(rank, v)];
-      put(sizes, v, elements > 0. ? std::sqrt(4. / std::sqrt(3.) * area[get(rank, v)] / elements)
-                                  : std::numeric_limits<double>::infinity());
-    }
+    for(std::size_t v = 0; v < n; ++v)
+      result.push_back(number[v] > 0. ? std::sqrt(4. / std::sqrt(3.) * area[v] / number[v])
+                                      : std::numeric_limits<double>::infinity());
+    return result;
   }
 };
+
+// `power(distribution)`: the one that meets the user's target
+template <typename TriangleMesh, typename FaceErrorMap, typename VertexSizeMap, typename NamedParameters,
+          typename Power>
+void write_sizes(const TriangleMesh& tmesh, const FaceErrorMap& error_map, const double order,
+                 const VertexSizeMap& size_map, const NamedParameters& np, const Power& power)
+{
+  const auto& pack = internal::pack(np);
+  const auto input = read_input<Traits_of<TriangleMesh, std::decay_t<decltype(pack)> > >(tmesh, pack);
+  std::vector<double> errors;
+  for(const auto f : input.face_descriptors)
+    errors.push_back(CGAL::to_double(get(error_map, f)));
+  const Error_distribution distribution(input.triangles, errors, order);
+  const std::vector<double> sizes = distribution.sizes(power(distribution));
+  for(std::size_t i = 0; i < sizes.size(); ++i)
+    put(size_map, input.vertex_descriptors[i], sizes[i]);
+}
 
 } // namespace internal
 
@@ -114,7 +113,7 @@ public:
  *
  * Takes time proportional to the number of faces.
  *
- * @tparam TriangleMesh a model of `FaceListGraph` with an internal property map of points
+ * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * @tparam FaceErrorMap a model of `ReadablePropertyMap` with key type `face_descriptor` and a value type
  *         convertible to `double`
  * @tparam VertexSizeMap a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
@@ -127,16 +126,34 @@ public:
  * @param number_of_elements larger than 0
  * @param sizes output: lengths, to be used with `Vertex_size_field`, or with `Background_size_field` if another
  *        mesh of the surface is remeshed
+ * @param np an optional sequence of \ref bgl_namedparameters "named parameters" among the ones listed below
  *
- * \throw std::invalid_argument if an argument is out of its range or an error is not finite
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{vertex_point_map}
+ *     \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+ *     \cgalParamType{a class model of `ReadablePropertyMap` with `vertex_descriptor` as key type and `Point_3` of the
+ *                    traits as value type}
+ *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{geom_traits}
+ *     \cgalParamDescription{an instance of a geometric traits class}
+ *     \cgalParamType{a class model of `HermiteDiffuseRemeshingTraits`}
+ *     \cgalParamDefault{the kernel of the points}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
+ *
+ * \throw std::invalid_argument if an argument is out of its range, an error or a coordinate is not finite, or a face
+ *        is no triangle
  */
-template <typename TriangleMesh, typename FaceErrorMap, typename VertexSizeMap>
+template <typename TriangleMesh, typename FaceErrorMap, typename VertexSizeMap,
+          typename NamedParameters = parameters::Default_named_parameters>
 void sizes_for_number_of_elements(const TriangleMesh& tmesh, const FaceErrorMap& errors, const double order,
-                                  const double number_of_elements, const VertexSizeMap& sizes)
+                                  const double number_of_elements, const VertexSizeMap& sizes,
+                                  const NamedParameters& np = parameters::default_values())
 {
   internal::check_positive_parameter("the number of elements", number_of_elements);
-  const internal::Error_distribution<TriangleMesh, FaceErrorMap, VertexSizeMap> distribution(tmesh, errors, order);
-  distribution.write(distribution.power_for_number(number_of_elements), sizes);
+  internal::write_sizes(tmesh, errors, order, sizes, np, [=](const internal::Error_distribution& distribution)
+                        { return distribution.power_for_number(number_of_elements); });
 }
 
 /*!
@@ -152,16 +169,20 @@ void sizes_for_number_of_elements(const TriangleMesh& tmesh, const FaceErrorMap&
  *        elements
  * @param target_error larger than 0, in the unit of `errors`
  * @param sizes output: lengths
+ * @param np named parameters as for `sizes_for_number_of_elements()`
  *
- * \throw std::invalid_argument if an argument is out of its range or an error is not finite
+ * \throw std::invalid_argument if an argument is out of its range, an error or a coordinate is not finite, or a face
+ *        is no triangle
  */
-template <typename TriangleMesh, typename FaceErrorMap, typename VertexSizeMap>
+template <typename TriangleMesh, typename FaceErrorMap, typename VertexSizeMap,
+          typename NamedParameters = parameters::Default_named_parameters>
 void sizes_for_error(const TriangleMesh& tmesh, const FaceErrorMap& errors, const double order,
-                     const double target_error, const VertexSizeMap& sizes)
+                     const double target_error, const VertexSizeMap& sizes,
+                     const NamedParameters& np = parameters::default_values())
 {
   internal::check_positive_parameter("the target error", target_error);
-  const internal::Error_distribution<TriangleMesh, FaceErrorMap, VertexSizeMap> distribution(tmesh, errors, order);
-  distribution.write(distribution.power_for_error(target_error), sizes);
+  internal::write_sizes(tmesh, errors, order, sizes, np, [=](const internal::Error_distribution& distribution)
+                        { return distribution.power_for_error(target_error); });
 }
 
 } // namespace Hermite_diffuse_remeshing

@@ -10,6 +10,7 @@
 #define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_SIZING_FIELD_H
 
 #include <CGAL/Hermite_diffuse_size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/compatibility.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -35,35 +36,47 @@ namespace Polygon_mesh_processing {
  *
  * \cgalModels{PMPSizingField}
  *
- * \tparam TriangleMesh a model of `MutableFaceGraph` with an internal property map of points
+ * \tparam TriangleMesh a model of `MutableFaceGraph`
+ * \tparam GeomTraits a model of `HermiteDiffuseRemeshingTraits`; by default the kernel of the points of the mesh
+ * \tparam VertexPointMap a model of `ReadablePropertyMap` with key type `vertex_descriptor` and the point type of the
+ *         traits as value type; by default the internal map of the mesh
  *
  * @sa `CGAL::Hermite_diffuse_size_map`
  */
-template <typename TriangleMesh>
+template <typename TriangleMesh,
+          typename GeomTraits = typename GetGeomTraits<TriangleMesh>::type,
+          typename VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>
 class Hermite_diffuse_sizing_field
 {
-  typedef Hermite_diffuse_size_map<TriangleMesh> Size_map;
-  typedef typename Size_map::Geom_traits Geom_traits;
+  typedef Hermite_diffuse_size_map<TriangleMesh, GeomTraits> Size_map;
+  typedef Hermite_diffuse_remeshing::internal::Vector Vector;
 
 public:
   /// \name Types
   /// @{
+
+  /// the number type of the points
   typedef typename Size_map::FT FT;
+  /// the type of the points
   typedef typename Size_map::Point_3 Point_3;
+  /// a halfedge of the mesh
   typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+  /// a vertex of the mesh
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
   /// @}
 
 private:
   std::shared_ptr<const Size_map> m_sizes;
-  Geom_traits m_traits;
+  VertexPointMap m_points;
+  GeomTraits m_traits;
 
 public:
   /*!
    * computes the sizes.
    *
    * @param tmesh the mesh that will be remeshed
-   * @param np an optional sequence of named parameters, as for `CGAL::Hermite_diffuse_size_map`
+   * @param np an optional sequence of named parameters, as for `CGAL::Hermite_diffuse_size_map`; `geom_traits` and
+   *        `vertex_point_map` are of the types of the template parameters
    *
    * \throw std::invalid_argument as `hermite_diffuse_remesh()` does
    */
@@ -71,12 +84,16 @@ public:
   explicit Hermite_diffuse_sizing_field(const TriangleMesh& tmesh,
                                         const NamedParameters& np = parameters::default_values())
     : m_sizes(std::make_shared<const Size_map>(tmesh, np))
+    , m_points(Hermite_diffuse_remeshing::internal::read_point_map(
+        tmesh, Hermite_diffuse_remeshing::internal::pack(np)))
+    , m_traits(parameters::choose_parameter<GeomTraits>(
+        parameters::get_parameter(Hermite_diffuse_remeshing::internal::pack(np), internal_np::geom_traits)))
   {}
 
   /// returns the size at a vertex.
-  FT at(const vertex_descriptor v, const TriangleMesh& tmesh) const
+  FT at(const vertex_descriptor v, const TriangleMesh& /* tmesh */) const
   {
-    return m_sizes->size(get(CGAL::vertex_point, tmesh, v));
+    return m_sizes->size(get(m_points, v));
   }
 
   /// returns how many times the square of the length between two vertices is larger than that of the
@@ -98,24 +115,24 @@ public:
   /// returns the middle of an edge.
   Point_3 split_placement(const halfedge_descriptor h, const TriangleMesh& tmesh) const
   {
-    const Point_3 p = get(CGAL::vertex_point, tmesh, source(h, tmesh));
-    const Point_3 q = get(CGAL::vertex_point, tmesh, target(h, tmesh));
-    const auto x = m_traits.compute_x_3_object();
-    const auto y = m_traits.compute_y_3_object();
-    const auto z = m_traits.compute_z_3_object();
-    return m_traits.construct_point_3_object()((x(p) + x(q)) / FT(2), (y(p) + y(q)) / FT(2), (z(p) + z(q)) / FT(2));
+    const Vector middle = (point(source(h, tmesh)) + point(target(h, tmesh))) / 2.;
+    return m_traits.construct_point_3_object()(FT(middle[0]), FT(middle[1]), FT(middle[2]));
   }
 
   /// does nothing: the sizes are known everywhere.
   void register_split_vertex(const vertex_descriptor, const TriangleMesh&) {}
 
 private:
+  Vector point(const vertex_descriptor v) const
+  {
+    return Hermite_diffuse_remeshing::internal::Point_reader<GeomTraits>(m_traits)(get(m_points, v));
+  }
+
   FT squared_ratio(const vertex_descriptor v, const vertex_descriptor w, const FT factor,
                    const TriangleMesh& tmesh) const
   {
     const FT allowed = factor * (at(v, tmesh) + at(w, tmesh)) / FT(2);
-    return m_traits.compute_squared_distance_3_object()(get(CGAL::vertex_point, tmesh, v),
-                                                        get(CGAL::vertex_point, tmesh, w)) / (allowed * allowed);
+    return FT((point(v) - point(w)).squaredNorm()) / (allowed * allowed);
   }
 };
 

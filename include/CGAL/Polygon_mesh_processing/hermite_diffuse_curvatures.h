@@ -186,15 +186,30 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
  * computes curvatures at one vertex of a triangle mesh, from the faces around it alone: the same values as
  * the function for all vertices, but for rounding.
  *
- * The parameters are the same, except for the results, which are assigned to variables given by `std::ref`:
- * `mean_curvature` and `gaussian_curvature` to a `GT::FT`, `principal_curvatures` to a
- * `CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT>`.
- *
  * Takes time proportional to the number of faces within eight edges of the vertex.
  *
  * @param v the vertex
  * @param tmesh the mesh
- * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters"
+ * @param np a sequence of \ref bgl_namedparameters "Named Parameters": those of the function for all vertices but its
+ *        maps, instead of which the results are assigned to variables
+ *
+ * \cgalNamedParamsBegin
+ *   \cgalParamNBegin{mean_curvature}
+ *     \cgalParamDescription{the variable for the mean curvature\, given by `std::ref`}
+ *     \cgalParamType{`GT::FT`}
+ *     \cgalParamDefault{the result is not wanted}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{gaussian_curvature}
+ *     \cgalParamDescription{the variable for the Gaussian curvature\, given by `std::ref`}
+ *     \cgalParamType{`GT::FT`}
+ *     \cgalParamDefault{the result is not wanted}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{principal_curvatures}
+ *     \cgalParamDescription{the variable for the principal curvatures and their directions\, given by `std::ref`}
+ *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT>`}
+ *     \cgalParamDefault{the result is not wanted}
+ *   \cgalParamNEnd
+ * \cgalNamedParamsEnd
  *
  * \throw std::invalid_argument if a face around the vertex is not a triangle or has a coordinate that is
  *        not finite, or if a parameter is out of its range

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_COLLECT_NEIGHBORHOOD_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_COLLECT_NEIGHBORHOOD_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
 
 #include <CGAL/boost/graph/iterator.h>
@@ -36,9 +37,7 @@ collect_neighborhood(const typename boost::graph_traits<TriangleMesh>::vertex_de
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
 
-  const auto x = traits.compute_x_3_object();
-  const auto y = traits.compute_y_3_object();
-  const auto z = traits.compute_z_3_object();
+  const Point_reader<GeomTraits> read_point(traits);
   Indexed_triangles result;
   std::unordered_map<vertex_descriptor, int> index;
   const auto index_of = [&](const vertex_descriptor w)
@@ -46,8 +45,7 @@ collect_neighborhood(const typename boost::graph_traits<TriangleMesh>::vertex_de
     const auto inserted = index.insert(std::make_pair(w, result.number_of_vertices()));
     if(inserted.second)
     {
-      const auto& p = get(points, w);
-      const Vector point(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
+      const Vector point = read_point(get(points, w));
       if(!point.allFinite())
         refuse("a coordinate of a vertex", "not a finite number", "all coordinates must be finite");
       result.points.push_back(point);

@@ -30,14 +30,11 @@ std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, c
   if constexpr(!parameters::is_default_parameter<Pack, internal_np::vertex_normal_map_t>::value)
   {
     const auto map = parameters::get_parameter(pack, internal_np::vertex_normal_map);
-    const auto x = traits.compute_x_3_object();
-    const auto y = traits.compute_y_3_object();
-    const auto z = traits.compute_z_3_object();
+    const Point_reader<GeomTraits> read(traits);
     normals.reserve(vertex_descriptors.size());
     for(const auto v : vertex_descriptors)
     {
-      const auto& n = get(map, v);
-      const Vector normal(x(n), y(n), z(n));
+      const Vector normal = read(get(map, v));
       if(!normal.allFinite())
         refuse("the normal of vertex " + std::to_string(normals.size()), "not a finite vector",
                "a normal must be finite, or zero where it is not known");

@@ -11,10 +11,10 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Cut_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/orient_sheets.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
 
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -29,20 +29,19 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// The user's soup as indexed triangles, read before the first change. Refuses, with std::invalid_argument, an empty soup, polygons that are not
-// triangles, vertices that are missing or named twice by a triangle, and points that are not finite.
+// The user's soup as indexed triangles, read before the first change. Refuses, with std::invalid_argument, an empty
+// soup, polygons that are not triangles, vertices that are missing or named twice by a triangle, and points that are
+// not finite.
 template <typename PointRange, typename TriangleRange, typename GeomTraits>
 Indexed_triangles read_soup(const PointRange& points, const TriangleRange& triangles, const GeomTraits& traits)
 {
   if(triangles.begin() == triangles.end())
     throw std::invalid_argument("the soup has no triangle: there is nothing to remesh");
-  const auto x = traits.compute_x_3_object();
-  const auto y = traits.compute_y_3_object();
-  const auto z = traits.compute_z_3_object();
+  const Point_reader<GeomTraits> read_point(traits);
   Indexed_triangles result;
   for(const auto& p : points)
   {
-    const Vector point(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
+    const Vector point = read_point(p);
     if(!point.allFinite())
       refuse("a coordinate of point " + std::to_string(result.number_of_vertices()), "not a finite number",
              "all coordinates must be finite");
@@ -75,7 +74,7 @@ Indexed_triangles read_soup(const PointRange& points, const TriangleRange& trian
 // same corner.
 template <typename Point, typename GeomTraits>
 void make_soup_mesh(const Indexed_triangles& surface, const GeomTraits& traits,
-                                CGAL::Surface_mesh<Point>& mesh)
+                    CGAL::Surface_mesh<Point>& mesh)
 {
   typedef CGAL::Surface_mesh<Point> Mesh;
   const Edge_table edges(surface);

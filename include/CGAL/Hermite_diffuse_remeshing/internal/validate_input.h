@@ -9,11 +9,10 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_VALIDATE_INPUT_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_VALIDATE_INPUT_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -72,16 +71,13 @@ Indexed_triangles read_triangles(const TriangleMesh& tmesh, const VertexPointMap
   if(faces(tmesh).begin() == faces(tmesh).end())
     throw std::invalid_argument("the mesh has no face: there is nothing to remesh");
 
-  const auto x = traits.compute_x_3_object();
-  const auto y = traits.compute_y_3_object();
-  const auto z = traits.compute_z_3_object();
+  const Point_reader<GeomTraits> read_point(traits);
   auto index = get(CGAL::dynamic_vertex_property_t<int>(), tmesh);
 
   Indexed_triangles result;
   for(const vertex_descriptor v : vertices(tmesh))
   {
-    const auto& p = get(points, v);
-    const Vector point(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
+    const Vector point = read_point(get(points, v));
     put(index, v, result.number_of_vertices());
     if(!point.allFinite())
       refuse("a coordinate of vertex " + std::to_string(result.number_of_vertices()), "not a finite number",

@@ -144,7 +144,7 @@ public:
     double binomial = 1.;
     for(int j = 0; j <= order; ++j)
     {
-      m_ridge[monomial(order, j)] += ridge / binomial;
+      add_ridge_on_coefficient(monomial(order, j), ridge / binomial);
       binomial *= double(order - j) / double(j + 1);
     }
   }

@@ -56,74 +56,19 @@ public:
   Stop_reason adapt()
   {
     if(!is_adapted(m_mesh))
-      return adapt_from(0, m_maximum_number_of_iterations, 0);
+      return run_passes(0, m_maximum_number_of_iterations, 0);
     // only edges that are far off are treated, and what changes around them
     m_flipped_at = m_balanced_at = m_improved_at = m_mesh.number_of_changes();
-    return adapt_from(Length_band::first_mending_pass, m_maximum_number_of_iterations, 0);
+    return run_passes(Length_band::first_mending_pass, m_maximum_number_of_iterations, 0);
   }
 
   // same, where sizes or faces have changed since; the rest is left alone
   Stop_reason adapt_again(const std::size_t since, const int maximum_number_of_passes)
   {
     m_flipped_at = m_balanced_at = since;
-    return adapt_from(1, (std::min)(m_maximum_number_of_iterations, maximum_number_of_passes), since);
+    return run_passes(1, (std::min)(m_maximum_number_of_iterations, maximum_number_of_passes), since);
   }
 
-private:
-  // runs an operator on what has changed since it ran last
-  template <typename Operator>
-  std::size_t since_last(std::size_t& last, const Operator& run)
-  {
-    const std::size_t since = last;
-    last = m_mesh.number_of_changes();
-    return run(since);
-  }
-
-  bool is_negligible(const std::size_t changes, const std::size_t since) const
-  {
-    if(changes <= negligible_part * m_mesh.number_of_faces())
-      return true;
-    return since > 0
-        && changes <= negligible_part_of_changed
-                      * std::count_if(faces(m_mesh.tmesh()).begin(), faces(m_mesh.tmesh()).end(), [&](const auto f)
-                                      { return m_mesh.is_remeshed(f) && m_mesh.has_changed(f, since); });
-  }
-
-  void update_hints()
-  {
-    since_last(m_hinted_at, [&](const std::size_t since) { m_mesh.update_hints(since); return 0; });
-  }
-
-  Stop_reason adapt_from(const int first_iteration, const int number_of_iterations, const std::size_t since_change)
-  {
-    const Stop_reason result = run_passes(first_iteration, number_of_iterations, since_change);
-    update_hints();
-    return result;
-  }
-
-  Stop_reason run_passes(const int first_iteration, const int number_of_iterations, const std::size_t since_change)
-  {
-    for(int i = first_iteration; i < first_iteration + number_of_iterations; ++i)
-    {
-      ++m_number_of_iterations;
-      const double longest = Length_band::longest(i), shortest = Length_band::shortest(i);
-      std::size_t changes = split_long_edges(m_mesh, longest, since_change);
-      changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
-      changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_VALENCE, since); });
-      since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
-      if(changes > considerable_part * m_mesh.number_of_faces())
-        update_hints();
-      m_mesh.report_progress(double(i + 1 - first_iteration) / number_of_iterations);
-      if(m_mesh.is_stopped())
-        return STOPPED_BY_VISITOR;
-      // a mesh that is full at first may have room after the collapses
-      if(i > 0 && is_negligible(changes, since_change))
-        return m_mesh.is_full() ? FACE_BUDGET : CONVERGED;
-    }
-    return m_mesh.is_full() ? FACE_BUDGET : ITERATION_BOUND;
-  }
-
-public:
   // Shapes: sizes come second, and the worst score that an operation touches never falls.
   Stop_reason optimise(const Stop_reason reason, const std::size_t since_change = 0)
   {
@@ -131,12 +76,9 @@ public:
     {
       std::size_t changes =
         since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_SCORE, since); });
-      changes += since_last(m_improved_at, [&](const std::size_t since)
-                            { return improve_vertices(m_mesh, since); });
+      changes += since_last(m_improved_at, [&](const std::size_t since) { return improve_vertices(m_mesh, since); });
       m_mesh.report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
-      if(m_mesh.is_stopped())
-        return STOPPED_BY_VISITOR;
-      if(is_negligible(changes, since_change))
+      if(m_mesh.is_stopped() || is_negligible(changes, since_change))
         break;
     }
     return m_mesh.is_stopped() ? STOPPED_BY_VISITOR : reason;
@@ -150,6 +92,52 @@ public:
                { return Worst_face_hunt<UserMesh>(m_mesh, satisfying_score, satisfying_quality).run(since); });
     update_hints();
     return m_mesh.is_stopped() ? STOPPED_BY_VISITOR : reason;
+  }
+
+private:
+  Stop_reason run_passes(const int first_iteration, const int number_of_iterations, const std::size_t since_change)
+  {
+    Stop_reason reason = ITERATION_BOUND;
+    for(int i = first_iteration; i < first_iteration + number_of_iterations && reason == ITERATION_BOUND; ++i)
+    {
+      ++m_number_of_iterations;
+      const double longest = Length_band::longest(i), shortest = Length_band::shortest(i);
+      std::size_t changes = split_long_edges(m_mesh, longest, since_change);
+      changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
+      changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_VALENCE, since); });
+      since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
+      if(changes > considerable_part * m_mesh.number_of_faces())
+        update_hints();
+      m_mesh.report_progress(double(i + 1 - first_iteration) / number_of_iterations);
+      // a mesh that is full at first may have room after the collapses
+      if(i > 0 && is_negligible(changes, since_change))
+        reason = CONVERGED;
+      if(m_mesh.is_stopped())
+        reason = STOPPED_BY_VISITOR;
+    }
+    update_hints();
+    return reason != STOPPED_BY_VISITOR && m_mesh.is_full() ? FACE_BUDGET : reason;
+  }
+
+  // runs an operator on what has changed since it ran last
+  template <typename Operator>
+  std::size_t since_last(std::size_t& last, const Operator& run)
+  {
+    const std::size_t since = last;
+    last = m_mesh.number_of_changes();
+    return run(since);
+  }
+
+  // since > 0: where only what has changed since then is adapted
+  bool is_negligible(const std::size_t changes, const std::size_t since) const
+  {
+    return changes <= negligible_part * m_mesh.number_of_faces()
+        || (since > 0 && changes <= negligible_part_of_changed * number_of_changed_faces(m_mesh, since));
+  }
+
+  void update_hints()
+  {
+    since_last(m_hinted_at, [&](const std::size_t since) { m_mesh.update_hints(since); return 0; });
   }
 };
 

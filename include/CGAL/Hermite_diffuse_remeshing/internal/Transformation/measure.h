@@ -82,6 +82,7 @@ void fill_report(const Working_mesh<UserMesh>& mesh, const Deviations<UserMesh>&
   report.number_of_splits = mesh.counts().splits;
   report.number_of_collapses = mesh.counts().collapses;
   report.number_of_flips = mesh.counts().flips;
+  report.number_of_vertex_removals = mesh.counts().vertex_removals;
   report.number_of_relocations = mesh.counts().relocations;
 }
 

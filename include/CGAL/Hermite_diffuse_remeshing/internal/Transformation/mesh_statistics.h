@@ -11,7 +11,10 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
 
+#include <boost/range/irange.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -24,16 +27,17 @@ struct Quality_statistics
   double smallest = 1., mean = 0.;
 };
 
-template <typename IsSelected>
-Quality_statistics measure_quality(const Indexed_triangles& triangles, const IsSelected& is_selected)
+// `quality_of(face)` of the faces that are selected
+template <typename FaceRange, typename IsSelected, typename QualityOf>
+Quality_statistics summarize_quality(const FaceRange& faces, const IsSelected& is_selected, const QualityOf& quality_of)
 {
   Quality_statistics result;
   std::size_t number = 0;
-  for(int f = 0; f < triangles.number_of_faces(); ++f)
+  for(const auto f : faces)
   {
     if(!is_selected(f))
       continue;
-    const double q = quality(triangles.point(f, 0), triangles.point(f, 1), triangles.point(f, 2));
+    const double q = quality_of(f);
     result.smallest = (std::min)(result.smallest, q);
     result.mean += q;
     ++number;
@@ -42,31 +46,36 @@ Quality_statistics measure_quality(const Indexed_triangles& triangles, const IsS
   return result;
 }
 
-// `is_counted(halfedge)` selects faces
+template <typename IsSelected>
+Quality_statistics measure_quality(const Indexed_triangles& triangles, const IsSelected& is_selected)
+{
+  return summarize_quality(boost::irange(0, triangles.number_of_faces()), is_selected, [&](const int f)
+                           { return quality(triangles.point(f, 0), triangles.point(f, 1), triangles.point(f, 2)); });
+}
+
+// `is_counted(face)` selects faces
 template <typename UserMesh, typename IsCounted>
 Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh, const IsCounted& is_counted)
 {
-  Quality_statistics result;
-  std::size_t number = 0;
-  for(const auto f : faces(mesh.tmesh()))
+  return summarize_quality(faces(mesh.tmesh()), [&](const auto f) { return mesh.is_remeshed(f) && is_counted(f); },
+                           [&](const auto f)
   {
-    const auto h = halfedge(f, mesh.tmesh());
-    if(!mesh.is_remeshed(f) || !is_counted(h))
-      continue;
-    const double q = quality(mesh.point(source(h, mesh.tmesh())), mesh.point(target(h, mesh.tmesh())),
-                             mesh.point(target(next(h, mesh.tmesh()), mesh.tmesh())));
-    result.smallest = (std::min)(result.smallest, q);
-    result.mean += q;
-    ++number;
-  }
-  result.mean /= (std::max)(std::size_t(1), number);
-  return result;
+    const std::array<Vector, 3> points = mesh.triangle(f).points;
+    return quality(points[0], points[1], points[2]);
+  });
 }
 
 template <typename UserMesh>
 Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh)
 {
   return measure_quality(mesh, [](const auto) { return true; });
+}
+
+template <typename UserMesh>
+std::size_t number_of_changed_faces(const Working_mesh<UserMesh>& mesh, const std::size_t since)
+{
+  return std::count_if(faces(mesh.tmesh()).begin(), faces(mesh.tmesh()).end(), [&](const auto f)
+                       { return mesh.is_remeshed(f) && mesh.has_changed(f, since); });
 }
 
 // lengths of the edges in units of their sizes
@@ -115,9 +124,11 @@ bool is_adapted(const Working_mesh<UserMesh>& mesh)
   const Size_statistics sizes = measure_sizes(mesh, has_ends_inside);
   return sizes.within_2 >= least_share_within_2 && sizes.within_sqrt_2 >= least_share_within_sqrt_2
       && std::abs(sizes.mean_log2) <= largest_mean
-      && measure_quality(mesh, [&](const auto h)
-         { return has_ends_inside(h) || has_ends_inside(next(h, tm)) || has_ends_inside(prev(h, tm)); }).mean
-         >= least_mean_quality;
+      && measure_quality(mesh, [&](const auto f)
+         {
+           const auto h = halfedge(f, tm);
+           return has_ends_inside(h) || has_ends_inside(next(h, tm)) || has_ends_inside(prev(h, tm));
+         }).mean >= least_mean_quality;
 }
 
 } // namespace internal
