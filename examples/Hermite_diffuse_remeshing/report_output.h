@@ -177,6 +177,7 @@ void write_json(std::ostream& os,
      << "  \"deviation_mean\": " << number(r.mean_deviation) << ",\n"
      << "  \"deviation_max_point\": [" << number(worst[0]) << ", " << number(worst[1]) << ", "
      << number(worst[2]) << "],\n"
+     << "  \"model_distance_from_input\": " << number(r.distance_of_model_from_input) << ",\n"
      << "  \"maximum_deviation\": " << number(r.maximum_deviation) << ",\n"
      << "  \"maximum_deviation_met\": " << (r.is_maximum_deviation_met ? "true" : "false") << ",\n"
      << "  \"faces_above_maximum_deviation\": " << r.faces_above_maximum_deviation.size() << ",\n"

@@ -195,8 +195,10 @@ struct Remeshing_report
   /// @}
 
   /// \name Distance to the model
-  /// measured at vertices, edge middles and face centroids of the result, and back, from the vertices of
-  /// the input and from the middles of its feature edges, on their curves, to the result.
+  /// measured at vertices, edge middles and face centroids of the result, at feature edges to their curves, and
+  /// back to the result: from the vertices of the input, from the middles of its feature edges, on their curves, and,
+  /// if there is a bound, from points of the model over its faces, as many as it takes to know the model
+  /// between them to a twentieth of the bound. The mean is that of the result alone.
   /// @{
 
   /// `false` if the remeshing was stopped before it was measured; then the other fields mean nothing
@@ -205,6 +207,10 @@ struct Remeshing_report
   double mean_deviation = 0.;              ///< a length
   /// the point of the result or of the model at which `largest_deviation` was measured
   std::array<double, 3> point_of_largest_deviation = {{0., 0., 0.}};
+  /// the largest distance between the model and the facets of the input, at the middles of their sides and at their
+  /// centroids. The distance between the result and these facets, which are chords of the model too, is at most
+  /// the sum of this and of `largest_deviation`.
+  double distance_of_model_from_input = 0.;
   /// the bound that was asked for, infinite if there was none
   double maximum_deviation = std::numeric_limits<double>::infinity();
   /// `true` if `largest_deviation` is at most `maximum_deviation`

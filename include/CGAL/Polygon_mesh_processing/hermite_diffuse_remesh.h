@@ -82,9 +82,10 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_deviation}
  *     \cgalParamDescription{largest distance between the result and the fitted surface, measured at vertices,
- *       middles of edges and centroids of faces of the result, and from the input's vertices and feature
- *       curves to the result. Where it is exceeded the sizes are lowered and the mesh is adapted again
- *       there, in at most 20 rounds. The report says whether it was met, and where it was not.}
+ *       middles of edges and centroids of faces of the result, and from points of the fitted surface and of its
+ *       feature curves to the result. Where it is exceeded the sizes are lowered and the mesh is adapted again
+ *       there, in at most 20 rounds. The report says whether it was met, and where it was not; and how far the fitted
+ *       surface is from the facets of the input.}
  *     \cgalParamType{`double`, a length, larger than 0}
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Triangle_tree.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_targets.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
 #include <algorithm>
@@ -42,14 +43,14 @@ struct Deviations
   typedef typename Working_mesh<UserMesh>::face_descriptor face_descriptor;
 
   std::vector<Face_deviation<face_descriptor> > faces;
-  double largest = 0., mean = 0.;
+  double largest = 0., mean = 0.;       // the mean: from the mesh to the model
+  double model_distance = 0.;           // between the model and the facets of the reference
   Vector point_of_largest = Vector::Zero();
 };
 
 // Measures the deviation of the working mesh from the reference. From the mesh to the model: at vertices,
-// edge middles and face centroids; at the middles of feature edges to the curve. And back: from the
-// vertices of the reference and from the middles of its feature edges, on their curves, to the
-// closest facet of the mesh. Throws Interrupted on request.
+// edge middles and face centroids; at the middles of feature edges to the curve. And back: from
+// points of the model to the closest facet of the mesh. Throws Interrupted on request.
 template <typename UserMesh>
 class Deviation_meter
 {
@@ -60,18 +61,10 @@ class Deviation_meter
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::const_type
     Face_index_map;
 
-  // a point of the reference whose distance to the mesh is measured
-  struct Target
-  {
-    Vector point;
-    Location location;
-    int face = -1;                      // the closest one, in `m_deviations.faces`
-  };
-
   const Mesh& m_mesh;
   double m_bound;
   Face_index_map m_index;               // in `m_deviations.faces`; -1 for a face that is not remeshed
-  std::vector<Target> m_targets;
+  Deviation_targets m_targets;
   Deviations<UserMesh> m_deviations;
   std::vector<char> m_is_new;           // of the faces: has to be measured
   double m_sum = 0.;
@@ -84,8 +77,10 @@ public:
   // `bound`: distances below it need no second look
   Deviation_meter(const Mesh& mesh, const double bound)
     : m_mesh(mesh), m_bound(bound), m_index(make_index_map())
+    , m_targets(mesh.reference(), bound, [&mesh](const int f) { return mesh.is_reference_face_remeshed(f); },
+                progress())
   {
-    collect_targets();
+    m_deviations.model_distance = m_targets.model_distance();
   }
 
   Deviations<UserMesh>& deviations() { return m_deviations; }
@@ -103,7 +98,7 @@ public:
       if(m_mesh.is_remeshed(f))
         add_new_face(f);
     }
-    for(Target& target : m_targets)
+    for(Deviation_target& target : m_targets.targets())
       target.face = -1;
     measure_new_faces();
     m_deviations.mean = m_sum / (std::max)(std::size_t(1), m_number);
@@ -137,7 +132,7 @@ public:
       m_deviations.faces.push_back(old_faces[i]);
       m_is_new.push_back(false);
     }
-    for(Target& target : m_targets)
+    for(Deviation_target& target : m_targets.targets())
       if(target.face != -1)
         target.face = new_index[target.face];
     measure_new_faces();
@@ -147,34 +142,9 @@ private:
   // of the faces that there are now: the mesh is not ours, so the map does not grow with it
   Face_index_map make_index_map() const { return get(CGAL::dynamic_face_property_t<int>(), m_mesh.tmesh()); }
 
-  void collect_targets()
+  Progress progress() const
   {
-    const Reference& reference = m_mesh.reference();
-    const Indexed_triangles& triangles = reference.surface.triangles();
-    std::vector<char> is_done(triangles.number_of_vertices(), false);
-    for(int f = 0; f < triangles.number_of_faces(); ++f)
-    {
-      m_mesh.give_up_if_stopped();
-      for(int k = 0; k < 3 && m_mesh.is_reference_face_remeshed(f); ++k)
-      {
-        const int v = triangles.triangles[f][k];
-        if(!is_done[v])
-          m_targets.push_back({triangles.points[v], reference.vertex_site(f, k).location});
-        is_done[v] = true;
-      }
-    }
-    for(std::size_t c = 0; c < reference.curves.curves.size(); ++c)
-    {
-      const Feature_spline& spline = reference.curves.curves[c].spline;
-      for(int i = 0; i < spline.number_of_segments(); ++i)
-      {
-        m_mesh.give_up_if_stopped();
-        const Site site =
-          reference.curve_site(static_cast<int>(c), (spline.parameter(i) + spline.parameter(i + 1)) / 2.);
-        if(m_mesh.is_reference_face_remeshed(site.location.face))
-          m_targets.push_back({site.point, site.location});
-      }
-    }
+    return Progress([this](double) { return !m_mesh.is_stopped(); });
   }
 
   void add_new_face(const face_descriptor f)
@@ -202,11 +172,15 @@ private:
       }
   }
 
-  void add(const Vector& p, const double deviation, const Location& location,
-           const std::initializer_list<int> at_faces, const bool is_on_protected_edge = false)
+  void count(const double deviation)
   {
     m_sum += deviation;
     ++m_number;
+  }
+
+  void add(const Vector& p, const double deviation, const Location& location,
+           const std::initializer_list<int> at_faces, const bool is_on_protected_edge = false)
+  {
     for(const int f : at_faces)
       if(f != -1 && deviation >= m_deviations.faces[f].deviation)
       {
@@ -233,6 +207,7 @@ private:
         if(other.distance < nearest.distance)
           nearest = other;
       }
+    count(nearest.distance);
     add(p, nearest.distance, nearest.location, at_faces);
   }
 
@@ -279,6 +254,7 @@ private:
       }
       const Site site = m_mesh.reference().curve_site(curve, (m_mesh.parameter(s, curve)
                                                              + m_mesh.parameter(t, curve)) / 2.);
+      count((site.point - p).norm());
       add(p, (site.point - p).norm(), site.location, {f, g}, m_mesh.is_protected(h));
     }
   }
@@ -296,6 +272,7 @@ private:
       m_mesh.give_up_if_stopped();
       const Site& site = m_mesh.data(v).site;
       const Reference::Nearest nearest = m_mesh.reference().nearest(site.point, site.location, tolerance);
+      count(nearest.distance);
       add(site.point, nearest.distance, nearest.location, {index_at(h)});
     }
   }
@@ -322,16 +299,17 @@ private:
     }
     if(index_of_facet.empty())
       return;
-    const Triangle_tree tree(facets, Progress([this](double) { return !m_mesh.is_stopped(); }));
-    for(Target& target : m_targets)
+    const Triangle_tree tree(facets, progress());
+    for(Deviation_target& target : m_targets.targets())
     {
       if(target.face != -1)
         continue;
       m_mesh.give_up_if_stopped();
       const std::pair<int, Vector> closest = tree.closest(target.point);
       target.face = index_of_facet[closest.first];
-      add(target.point, (closest.second - target.point).norm(), target.location, {target.face},
-          is_on_protected_edge(closest.second, m_deviations.faces[target.face].face));
+      const double distance = (closest.second - target.point).norm();
+      add(target.point, distance, target.location, {target.face},
+          distance > m_bound && is_on_protected_edge(closest.second, m_deviations.faces[target.face].face));
     }
   }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace CGAL {
@@ -27,46 +28,59 @@ class Refinement_attempts
   {
     Vector point;
     double reach;                       // of the face there: its longest edge
-    double deviation;
+    double deviation;                   // the smallest one there so far
     int number_of_failures;
+    int round;
   };
 
   // A deviation falls with the square of the length, and a step lowers the length visibly: a gain smaller than
   // this is no more than another face in the same place.
   static constexpr double clearly_lower = 0.9;
-  static constexpr int patience = 3;
+  static constexpr int patience = 2;
 
-  std::multimap<int, Attempt> m_last, m_current;      // by the face of the reference
+  std::multimap<int, Attempt> m_attempts;             // by the face of the reference
+  int m_round = 0;
 
 public:
-  // Has refining at this place failed `patience` times in a row? Has to be asked about every face that
-  // deviates too much. `reference_faces`: those at the place, where it was measured first.
+  // Has refining at this place failed `patience` times? Has to be asked about every face that deviates too
+  // much. `reference_faces`: those at the place, where it was measured first.
   template <typename Integers>
   bool is_hopeless(const Integers& reference_faces, const Vector& point, const double reach, const double deviation)
   {
-    double before = 0.;
-    int number_of_failures = 0;
-    for(const int f : reference_faces)
+    Attempt current{point, reach, deviation, 0, m_round};
+    if(const Attempt* const before = nearest(reference_faces, point))
     {
-      const auto range = m_last.equal_range(f);
-      for(auto it = range.first; it != range.second; ++it)
-        if((it->second.point - point).norm() <= it->second.reach)
-        {
-          before = (std::max)(before, it->second.deviation);
-          number_of_failures = (std::max)(number_of_failures, it->second.number_of_failures + 1);
-        }
+      const bool is_progress = deviation < clearly_lower * before->deviation;
+      current.deviation = (std::min)(deviation, before->deviation);
+      current.number_of_failures = before->number_of_failures + !is_progress;
     }
-    const bool is_progress = deviation < clearly_lower * before || number_of_failures == 0;
-    m_current.insert(std::make_pair(reference_faces.front(),
-                                    is_progress ? Attempt{point, reach, deviation, 0}
-                                                : Attempt{point, reach, before, number_of_failures}));
-    return !is_progress && number_of_failures >= patience;
+    m_attempts.insert(std::make_pair(reference_faces.front(), current));
+    return current.number_of_failures >= patience;
   }
 
-  void begin_round()
+  void begin_round() { ++m_round; }
+
+private:
+  // the latest of the earlier attempts that are nearest to a point; null if there is none
+  template <typename Integers>
+  const Attempt* nearest(const Integers& reference_faces, const Vector& point) const
   {
-    m_last.swap(m_current);
-    m_current.clear();
+    const Attempt* result = nullptr;
+    const auto rank = [&](const Attempt& attempt)
+    { return std::make_tuple((attempt.point - point).norm(), -attempt.round, attempt.deviation,
+                             attempt.number_of_failures); };
+    for(const int f : reference_faces)
+    {
+      const auto range = m_attempts.equal_range(f);
+      for(auto it = range.first; it != range.second; ++it)
+      {
+        const Attempt& attempt = it->second;
+        if(attempt.round < m_round && (attempt.point - point).norm() <= attempt.reach
+           && (result == nullptr || rank(attempt) < rank(*result)))
+          result = &attempt;
+      }
+    }
+    return result;
   }
 };
 

@@ -41,13 +41,22 @@ class Deviation_refiner
   // the size that it has been asked for already, as at a fold of the model, where every split makes slivers or
   // turns faces over. A much smaller size does not help it; it is tried again with nearly the same.
   static constexpr double longest_following_length = 2.2, reminder = 0.97;
+  // The length that would do follows from d ~ L^2. Faces that do not resolve the model yet deviate less than
+  // that, at most by half the radius where they span it: the length that would do is underestimated by the
+  // square root of two at most.
+  static constexpr double uncertainty_of_length = 1.5;
 
 public:
   Deviation_refiner(Mesh& mesh, Size_map& sizes, const double maximum_deviation)
     : m_mesh(mesh), m_sizes(sizes), m_maximum_deviation(maximum_deviation)
   {}
 
-  bool is_exceeded(const Entry& entry) const { return entry.deviation > m_maximum_deviation; }
+  // A deviation is known to a few percent: faces that are that close to the bound are refined too.
+  bool is_exceeded(const Entry& entry) const
+  {
+    constexpr double margin = 0.96;
+    return entry.deviation > margin * m_maximum_deviation;
+  }
 
   void begin_round() { m_attempts.begin_round(); }
 
@@ -101,6 +110,11 @@ public:
   }
 
 private:
+  double length_that_does(const Entry& entry, const double longest) const
+  {
+    return longest * std::sqrt(m_maximum_deviation / entry.deviation);
+  }
+
   double longest_edge(const Entry& entry) const
   {
     double longest = 0.;
@@ -116,7 +130,8 @@ private:
     if(entry.is_on_protected_edge || m_sizes.is_cap_exceeded(entry.location))
       return DEVIATION_AT_PROTECTED_EDGE;
     const double longest = longest_edge(entry), size = m_sizes(entry.location);
-    if(reminder * (std::min)(longest, size) <= m_sizes.minimum_length())
+    const double sufficient_length = uncertainty_of_length * length_that_does(entry, longest);
+    if((std::min)({sufficient_length, reminder * longest, reminder * size}) <= m_sizes.minimum_length())
       return DEVIATION_AT_SMALLEST_SIZE;
     const auto& tm = m_mesh.tmesh();
     std::array<int, 4> reference_faces = {{entry.location.face}};
@@ -136,11 +151,11 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
                                        const double maximum_deviation, std::size_t& number_of_rounds)
 {
   constexpr std::size_t maximum_number_of_rounds = 20;
-  // While this part of the faces or more is to be refined, their shapes do not matter yet, and one pass of the
-  // adaptation does.
-  constexpr double large_part = 0.01;
-  constexpr std::size_t maximum_number_of_coarse_rounds = 4;
-  // Few sizes change in one of the other rounds; at a fold of the model the passes would not come to rest.
+  // While faces are to be refined their shapes do not matter yet, and one pass of the adaptation does; then what has
+  // changed is finished, which may take a few of them above the bound again. Few rounds in a row are enough for
+  // deviations that go with the square of the length.
+  constexpr std::size_t maximum_number_of_coarse_rounds = 4, maximum_number_of_finishing_rounds = 4;
+  // Few sizes have changed then; at a fold of the model the passes would not come to rest.
   constexpr int number_of_passes = 5;
   // A fold cannot be helped by raising the scores of well-shaped triangles there.
   constexpr double satisfying_quality = 0.6;
@@ -153,16 +168,17 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   Deviation_refiner<UserMesh> refiner(mesh, sizes, maximum_deviation);
   meter.measure();
   std::size_t since_finished = mesh.number_of_changes();
+  std::size_t coarse_rounds = 0, finishing_rounds = 0;
   for(bool is_finished = true; ; ++number_of_rounds)
   {
     refiner.begin_round();
     const std::size_t number = refiner.find_obstacles(meter.deviations().faces);
-    const bool is_last = number == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds;
+    const bool is_last = number == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
+                      || finishing_rounds >= maximum_number_of_finishing_rounds;
     if(mesh.is_stopped() || (is_last && is_finished))
       break;
     const std::size_t since = mesh.number_of_changes();
-    is_finished = is_last || number_of_rounds >= maximum_number_of_coarse_rounds
-               || number <= large_part * meter.deviations().faces.size();
+    is_finished = is_last || coarse_rounds >= maximum_number_of_coarse_rounds;
     if(!is_last)
       refiner.refine(meter.deviations().faces, number_of_rounds < number_of_first_rounds ? first_aim : last_aim);
     if(is_finished)
@@ -171,9 +187,14 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
       remesher.optimise(CONVERGED, since_finished);
       remesher.raise_worst(CONVERGED, satisfying_quality);
       since_finished = mesh.number_of_changes();
+      coarse_rounds = 0;
+      ++finishing_rounds;
     }
     else
+    {
       remesher.adapt_again(since, 1);
+      ++coarse_rounds;
+    }
     meter.update(since);
   }
   if(number_of_rounds > 0)

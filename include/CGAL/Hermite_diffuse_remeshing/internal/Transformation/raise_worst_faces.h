@@ -130,10 +130,9 @@ private:
     constexpr double levels = 1024., offset = 0.37;
     Entry entry;
     entry.level = static_cast<int>(std::floor(levels * face_worth(m_mesh, h).score + offset));
-    entry.corners = {{m_mesh.index(source(h, tm)), m_mesh.index(target(h, tm)),
-                      m_mesh.index(target(next(h, tm), tm))}};
-    std::rotate(entry.corners.begin(), std::min_element(entry.corners.begin(), entry.corners.end()),
-                entry.corners.end());
+    entry.corners = m_mesh.triangle(face(h, tm)).vertices;
+    const auto first = std::min_element(entry.corners.begin(), entry.corners.end());
+    std::rotate(entry.corners.begin(), first, entry.corners.end());
     return entry;
   }
 
@@ -202,9 +201,7 @@ private:
   }
 
   static bool improves(const Worth& after, const Worth& before, const Plan& plan)
-  {
-    return is_better(after, before) && after.score > plan.after.score + score_margin;
-  }
+  { return is_better(after, before) && after.score > plan.after.score + score_margin; }
 
   Plan& take(const Kind kind, const Worth& after, Plan& plan) const
   {
@@ -322,7 +319,7 @@ private:
           if(g != h && g != prev(o, tm))
             star.add_side(m_mesh, prev(g, tm));
         star.add_side(t, u, m_mesh.hint(h));
-        plan_site(FLIP_AND_RELOCATION, h, v, star, around, worth(m_mesh.reference(), s, u, t, m_mesh.hint(o)), plan);
+        plan_site(h, v, star, around, worth(m_mesh.reference(), s, u, t, m_mesh.hint(o)), plan);
       }
       if(is_flip_topologically_legal(m_mesh, side))
       {
@@ -334,13 +331,13 @@ private:
         star.add_side(m_mesh, prev(side, tm));
         Worth before = around;
         before.add(face_worth(m_mesh, side));
-        plan_site(FLIP_AND_RELOCATION, side, v, star, before, Worth(), plan);
+        plan_site(side, v, star, before, Worth(), plan);
       }
     }
   }
 
   // `rest` is made by the operation too, away from v
-  void plan_site(const Kind kind, const halfedge_descriptor h, const vertex_descriptor v, const Star& star,
+  void plan_site(const halfedge_descriptor h, const vertex_descriptor v, const Star& star,
                  const Worth& before, const Worth& rest, Plan& plan) const
   {
     if(rest.score <= (std::max)(before.score, plan.after.score))
@@ -350,7 +347,7 @@ private:
     after.add(rest);
     if(!improves(after, before, plan))
       return;
-    take(kind, after, plan).halfedge = h;
+    take(FLIP_AND_RELOCATION, after, plan).halfedge = h;
     plan.vertex = v;
     plan.site = site;
   }

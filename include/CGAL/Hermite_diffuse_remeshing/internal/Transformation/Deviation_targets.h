@@ -1,0 +1,166 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_TARGETS_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_TARGETS_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Reference.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// a point of the reference whose distance to the mesh is measured
+struct Deviation_target
+{
+  Vector point;
+  Location location;
+  int face = -1;                        // the closest one of the mesh
+};
+
+// The points of the model from which the deviation is measured back: the vertices of the reference, the middles
+// of its feature edges, on their curves, and as many points over its faces as the model between them needs to be
+// known to a part of the bound. A face of the mesh that spans several of the reference may be far from
+// the model where none of its own middles is.
+class Deviation_targets
+{
+  const Reference& m_reference;
+  double m_bound;
+  std::vector<Deviation_target> m_targets;
+  std::vector<int> m_parts;             // in how many parts the sides of the faces are cut
+  double m_model_distance = 0.;
+
+  // What is left between the points, relative to the bound. Between them the distance to the mesh changes by
+  // less where it is large, so that the largest one is off by a few percent.
+  static constexpr double tolerance = 0.05;
+  // Relative to the size: faces of the mesh have points of their own that are as close.
+  static constexpr double least_distance = 0.25;
+
+public:
+  // `is_remeshed(face of the reference)`
+  template <typename IsRemeshed>
+  Deviation_targets(const Reference& reference, const double bound, const IsRemeshed& is_remeshed,
+                    const Progress& progress)
+    : m_reference(reference), m_bound(bound), m_parts(triangles().number_of_faces(), 0)
+  {
+    for(int f = 0; f < triangles().number_of_faces(); ++f, progress(0.))
+      if(is_remeshed(f))
+        m_parts[f] = number_of_parts(f);
+    collect_vertices(progress);
+    collect_curve_points(progress);
+    for(int f = 0; f < triangles().number_of_faces(); ++f, progress(0.))
+      collect_face_points(f);
+  }
+
+  std::vector<Deviation_target>& targets() { return m_targets; }
+
+  // the largest distance between the model and the facets of the reference
+  double model_distance() const { return m_model_distance; }
+
+private:
+  const Indexed_triangles& triangles() const { return m_reference.surface.triangles(); }
+
+  static Location location(const int face, const double u, const double v)
+  {
+    Location result;
+    result.face = face;
+    result.coordinates = {{(std::max)(0., 1. - u - v), u, v}};
+    return result;
+  }
+
+  double distance_to_facet(const Location& at, const Vector& p) const
+  {
+    return (triangles().point(m_reference.locator.location_on_face(at.face, p)) - p).norm();
+  }
+
+  // The height of the model over a facet falls with the square of the length.
+  int number_of_parts(const int f)
+  {
+    double height = 0.;
+    for(const Location& at : {location(f, 0.5, 0.), location(f, 0., 0.5), location(f, 0.5, 0.5),
+                              location(f, 1. / 3., 1. / 3.)})
+      height = (std::max)(height, distance_to_facet(at, m_reference.surface_point(at)));
+    m_model_distance = (std::max)(m_model_distance, height);
+    double longest_side = 0.;
+    for(int k = 0; k < 3; ++k)
+      longest_side = (std::max)(longest_side, (triangles().point(f, next(k)) - triangles().point(f, k)).norm());
+    const double needed = std::sqrt(height / (tolerance * m_bound));
+    const double useful = longest_side / (least_distance * m_reference.sizes(location(f, 1. / 3., 1. / 3.)));
+    return (std::max)(1, static_cast<int>(std::ceil((std::min)(needed, useful))));
+  }
+
+  void collect_vertices(const Progress& progress)
+  {
+    std::vector<char> is_done(triangles().number_of_vertices(), false);
+    for(int f = 0; f < triangles().number_of_faces(); ++f, progress(0.))
+      for(int k = 0; k < 3 && m_parts[f] > 0; ++k)
+      {
+        const int v = triangles().triangles[f][k];
+        if(!is_done[v])
+          m_targets.push_back({triangles().points[v], m_reference.vertex_site(f, k).location});
+        is_done[v] = true;
+      }
+  }
+
+  void collect_curve_points(const Progress& progress)
+  {
+    for(std::size_t c = 0; c < m_reference.curves.curves.size(); ++c)
+    {
+      const Feature_spline& spline = m_reference.curves.curves[c].spline;
+      for(int i = 0; i < spline.number_of_segments(); ++i, progress(0.))
+      {
+        const Site site =
+          m_reference.curve_site(static_cast<int>(c), (spline.parameter(i) + spline.parameter(i + 1)) / 2.);
+        if(m_parts[site.location.face] > 0)
+          m_targets.push_back({site.point, site.location});
+      }
+    }
+  }
+
+  // of a regular partition, without the corners
+  void collect_face_points(const int f)
+  {
+    const int n = m_parts[f];
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; i + j <= n; ++j)
+      {
+        const int steps[3] = {n - i - j, i, j};
+        if(std::max({steps[0], steps[1], steps[2]}) == n || is_at_neighbor(f, steps))
+          continue;
+        const Location at = location(f, double(i) / n, double(j) / n);
+        const Vector p = m_reference.surface_point(at);
+        m_model_distance = (std::max)(m_model_distance, distance_to_facet(at, p));
+        m_targets.push_back({p, at});
+      }
+  }
+
+  // on a side of which the neighbour knows more, or as much and comes first
+  bool is_at_neighbor(const int f, const int steps[3]) const
+  {
+    for(int k = 0; k < 3; ++k)
+      if(steps[previous(k)] == 0)
+      {
+        const int g = m_reference.surface.cut_mesh().neighbor(f, k);
+        if(g != -1 && (m_parts[g] > m_parts[f] || (m_parts[g] == m_parts[f] && g < f)))
+          return true;
+      }
+    return false;
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_TARGETS_H
