@@ -63,10 +63,11 @@ public:
   }
 
   // same, where sizes or faces have changed since; the rest is left alone
-  Stop_reason adapt_again(const std::size_t since, const int maximum_number_of_passes)
+  // `first_pass`: of the length bands
+  Stop_reason adapt_again(const std::size_t since, const int maximum_number_of_passes, const int first_pass)
   {
     m_flipped_at = m_balanced_at = since;
-    return adapt_from(1, (std::min)(m_maximum_number_of_iterations, maximum_number_of_passes), since);
+    return adapt_from(first_pass, (std::min)(m_maximum_number_of_iterations, maximum_number_of_passes), since);
   }
 
 private:
