@@ -36,7 +36,7 @@ class Refinement_attempts
   // A deviation falls with the square of the length, and a step lowers the length visibly: a gain smaller than
   // this is no more than another face in the same place.
   static constexpr double clearly_lower = 0.9;
-  static constexpr int patience = 2;
+  static constexpr int patience = 3;
 
   std::multimap<int, Attempt> m_attempts;             // by the face of the reference
   int m_round = 0;

@@ -62,11 +62,11 @@ public:
     return run_passes(Length_band::first_mending_pass, m_maximum_number_of_iterations, 0);
   }
 
-  // same, where sizes or faces have changed since; the rest is left alone
-  Stop_reason adapt_again(const std::size_t since, const int maximum_number_of_passes)
+  // same, where sizes or faces have changed since; the rest is left alone. `first_pass` tells the band to begin with.
+  Stop_reason adapt_again(const std::size_t since, const int maximum_number_of_passes, const int first_pass)
   {
     m_flipped_at = m_balanced_at = since;
-    return run_passes(1, (std::min)(m_maximum_number_of_iterations, maximum_number_of_passes), since);
+    return run_passes(first_pass, (std::min)(m_maximum_number_of_iterations, maximum_number_of_passes), since);
   }
 
   // Shapes: sizes come second, and the worst score that an operation touches never falls.

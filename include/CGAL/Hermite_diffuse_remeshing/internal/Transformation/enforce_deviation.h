@@ -151,12 +151,12 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
                                        const double maximum_deviation, std::size_t& number_of_rounds)
 {
   constexpr std::size_t maximum_number_of_rounds = 20;
-  // While faces are to be refined their shapes do not matter yet, and one pass of the adaptation does; then what has
-  // changed is finished, which may take a few of them above the bound again. Few rounds in a row are enough for
-  // deviations that go with the square of the length.
-  constexpr std::size_t maximum_number_of_coarse_rounds = 4, maximum_number_of_finishing_rounds = 4;
-  // Few sizes have changed then; at a fold of the model the passes would not come to rest.
-  constexpr int number_of_passes = 5;
+  // While faces are to be refined their shapes do not matter yet, and one pass of the adaptation does. Few rounds in
+  // a row are enough for deviations that go with the square of the length; then what has changed settles.
+  constexpr std::size_t maximum_number_of_coarse_rounds = 4, maximum_number_of_settlements = 8;
+  // The first time with the tight bands of lengths in which irregular vertices disappear, later only with a wide one:
+  // what is left is few faces, and each pass moves others above the bound.
+  constexpr int number_of_passes = 5, tight_band = 1, wide_band = 6;
   // A fold cannot be helped by raising the scores of well-shaped triangles there.
   constexpr double satisfying_quality = 0.6;
   // Edges may be longer than their size by the band in which they are left alone, the square root of two.
@@ -168,33 +168,34 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   Deviation_refiner<UserMesh> refiner(mesh, sizes, maximum_deviation);
   meter.measure();
   std::size_t since_finished = mesh.number_of_changes();
-  std::size_t coarse_rounds = 0, finishing_rounds = 0;
+  std::size_t coarse_rounds = 0, settlements = 0;
   for(bool is_finished = true; ; ++number_of_rounds)
   {
     refiner.begin_round();
     const std::size_t number = refiner.find_obstacles(meter.deviations().faces);
     const bool is_last = number == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
-                      || finishing_rounds >= maximum_number_of_finishing_rounds;
+                      || settlements >= maximum_number_of_settlements;
     if(mesh.is_stopped() || (is_last && is_finished))
       break;
     const std::size_t since = mesh.number_of_changes();
-    is_finished = is_last || coarse_rounds >= maximum_number_of_coarse_rounds;
     if(!is_last)
       refiner.refine(meter.deviations().faces, number_of_rounds < number_of_first_rounds ? first_aim : last_aim);
-    if(is_finished)
+    const bool is_settling = is_last || coarse_rounds >= maximum_number_of_coarse_rounds;
+    if(is_settling && settlements == 0)
+      remesher.adapt_again(since_finished, number_of_passes, tight_band);
+    else
+      remesher.adapt_again(since, 1, settlements == 0 ? tight_band : wide_band);
+    ++coarse_rounds;
+    if(is_settling)
     {
-      remesher.adapt_again(since_finished, number_of_passes);
       remesher.optimise(CONVERGED, since_finished);
-      remesher.raise_worst(CONVERGED, satisfying_quality);
+      if(is_last)
+        remesher.raise_worst(CONVERGED, satisfying_quality);
       since_finished = mesh.number_of_changes();
       coarse_rounds = 0;
-      ++finishing_rounds;
+      ++settlements;
     }
-    else
-    {
-      remesher.adapt_again(since, 1);
-      ++coarse_rounds;
-    }
+    is_finished = is_last;
     meter.update(since);
   }
   if(number_of_rounds > 0)
