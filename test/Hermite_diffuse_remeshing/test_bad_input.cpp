@@ -133,20 +133,23 @@ Surface_mesh::Halfedge_index inner_halfedge(const Surface_mesh& mesh)
 double quality(const Surface_mesh& mesh, const Surface_mesh::Face_index f)
 {
   const auto h = mesh.halfedge(f);
-  const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)), &r = mesh.point(mesh.target(mesh.next(h)));
+  const Point_3 &p = mesh.point(mesh.source(h)), &q = mesh.point(mesh.target(h)),
+                &r = mesh.point(mesh.target(mesh.next(h)));
   const double a = std::sqrt(CGAL::squared_distance(p, q)), b = std::sqrt(CGAL::squared_distance(q, r)),
                c = std::sqrt(CGAL::squared_distance(r, p));
   return 4. * std::sqrt(3. * CGAL::squared_area(p, q, r)) / ((a + b + c) * (std::max)({a, b, c}));
 }
 
 // every face of low quality is reported, the worst first; returns the number for a reason
-std::size_t count_low_qualities(const Surface_mesh& mesh, const HDR::Remeshing_report<Surface_mesh>& report, const HDR::Quality_obstacle obstacle)
+std::size_t count_low_qualities(const Surface_mesh& mesh, const HDR::Remeshing_report<Surface_mesh>& report,
+                                const HDR::Quality_obstacle obstacle)
 {
   std::size_t number = 0, expected = 0;
   double last = 0.;
   for(const auto& low : report.low_quality_faces)
   {
-    assert(std::abs(low.quality - quality(mesh, low.face)) < 1e-9 && low.quality < low.low_quality && low.quality >= last);
+    assert(std::abs(low.quality - quality(mesh, low.face)) < 1e-9);
+    assert(low.quality < low.low_quality && low.quality >= last);
     assert(low.quality <= low.best_quality + 1e-9 && low.size > 0.);
     last = low.quality;
     number += low.obstacle == obstacle;

@@ -178,10 +178,12 @@ void test_needles()
   const double width = 0.02;
   const Classification strip(indexed(
     {Vector(0., 0., 0.), Vector(1., -width, -width), Vector(1., width, width), Vector(2., -2. * width, -2. * width),
-     Vector(2., 2. * width, 2. * width), Vector(0., -1., 0.), Vector(2., -1., 0.), Vector(0., 1., 0.), Vector(2., 1., 0.)},
-    {{{0, 1, 2}}, {{1, 3, 4}}, {{1, 4, 2}}, {{0, 5, 1}}, {{1, 5, 6}}, {{1, 6, 3}}, {{0, 2, 7}}, {{2, 8, 7}}, {{2, 4, 8}}}));
+     Vector(2., 2. * width, 2. * width), Vector(-1., -1., 0.), Vector(2., -1., 0.), Vector(-1., 1., 0.),
+     Vector(2., 1., 0.)},
+    {{{0, 7, 5}}, {{0, 1, 2}}, {{1, 3, 4}}, {{1, 4, 2}}, {{0, 5, 1}}, {{1, 5, 6}}, {{1, 6, 3}}, {{0, 2, 7}},
+     {{2, 8, 7}}, {{2, 4, 8}}}));
   assert(strip.number(SHARP_EDGE) == 3);
-  assert(is_feature(strip.edge_classes[strip.edges.edge(0, 1)]));
+  assert(is_feature(strip.edge_classes[strip.edges.edge(1, 1)]));
 
   // the tip of a ramp between two slopes keeps its features
   std::vector<Vector> points(1, Vector(0., 0., 0.));
