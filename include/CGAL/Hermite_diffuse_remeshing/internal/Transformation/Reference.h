@@ -77,6 +77,11 @@ struct Reference
     return result;
   }
 
+  Vector surface_point(const Location& location) const
+  {
+    return surface.evaluate(location).point() + feature_displacement(location);
+  }
+
   struct Nearest
   {
     Location location;
