@@ -7,9 +7,6 @@
 // are made here: a tank with domed ends and a hole for a pipe (Table II), a rough ore body (Table III), and a gearbox
 // housing of blocks, bosses and bores (Table IV), with the slivers that cutting surfaces by each other leaves.
 
-// before what includes boost/pending/disjoint_sets.hpp, which wants pointers to be property maps
-#include <boost/property_map/property_map.hpp>
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/clip.h>

@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/classify_edges.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -86,7 +87,11 @@ private:
   {
     const int nf = surface.number_of_faces();
     std::vector<int> rank(3 * nf, 0), parent(3 * nf);
-    boost::disjoint_sets<int*, int*> sets(rank.data(), parent.data());
+    // The maps are classes: get() is not found for pointers once Boost's header of compressed graphs is included.
+    const auto make_map = [](std::vector<int>& values)
+    { return boost::make_iterator_property_map(values.begin(), boost::identity_property_map()); };
+    auto ranks = make_map(rank), parents = make_map(parent);
+    boost::disjoint_sets<decltype(ranks), decltype(parents)> sets(ranks, parents);
     for(int c = 0; c < 3 * nf; ++c)
       sets.make_set(c);
 
