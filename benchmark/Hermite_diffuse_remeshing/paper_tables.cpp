@@ -1,11 +1,14 @@
 // Remeshes stand-ins for the meshes of the paper's Tables I to IV, which are not public, at the paper's errors, and
-// prints the columns of its tables: faces and smallest quality of the input, error, faces, smallest quality, seconds.
+// prints the columns of its tables: faces and smallest quality of the input, error, faces, smallest quality, seconds;
+// and the reasons for low qualities.
 //
 //   paper_tables [cup.off]
 //
 // The cup stands for the sheet metal of Table I; `make_sheet_metal_cup` of the examples writes it. The other meshes
 // are made here: a tank with domed ends and a hole for a pipe (Table II), a rough ore body (Table III), and a gearbox
 // housing of blocks, bosses and bores (Table IV), with the slivers that cutting surfaces by each other leaves.
+
+#include "../../examples/Hermite_diffuse_remeshing/report_output.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -181,6 +184,8 @@ void print_rows(const std::string& name, const Mesh& input, const std::vector<do
               << "\t" << report.number_of_faces << "\t" << report.smallest_quality << "\t" << report.mean_quality
               << "\t" << number_of_intersections(input) << "\t" << number_of_intersections(mesh)
               << "\t" << report.seconds << std::endl;
+    for(const auto& low : report.low_quality_faces)
+      std::cout << "  quality " << low.quality << ": " << explanation(low) << std::endl;
   }
 }
 

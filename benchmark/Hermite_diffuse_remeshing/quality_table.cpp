@@ -1,11 +1,12 @@
 // Remeshes known meshes to given numbers of faces, by trying approximation errors, and prints what CGAL
-// measures on the results: one line per mesh, the columns separated by tabs.
+// measures on the results: one line per mesh, the columns separated by tabs, and the reasons for low qualities.
 //
 //   quality_table [error|sagitta] [part of a name] [gradation]
 //
 // The sizes follow the relative error, or a sagitta that is the same everywhere. A small gradation makes better
 // triangles, a large one spends the faces where the curvature is; 1.3 is the default.
 
+#include "../../examples/Hermite_diffuse_remeshing/report_output.h"
 #include "../../test/Hermite_diffuse_remeshing/make_mesh.h"
 #include "../../test/Hermite_diffuse_remeshing/sized_surfaces.h"
 
@@ -183,6 +184,8 @@ int main(int argc, char* argv[])
               << "\t" << report.largest_deviation / length << "\t" << report.mean_deviation / length
               << "\t" << number_of_intersections(input) << "\t" << number_of_intersections(mesh)
               << "\t" << changed_edges(mesh, value) << "\t" << report.seconds << std::endl;
+    for(const auto& low : report.low_quality_faces)
+      std::cout << "  quality " << low.quality << ": " << explanation(low) << std::endl;
   }
   return EXIT_SUCCESS;
 }
