@@ -151,9 +151,17 @@ void test_absurd_tolerances()
   const Surface_mesh input = make_mesh<Surface_mesh>(analytic::Torus().mesh(1000, 3));
   const std::size_t budget = 5000;
   Surface_mesh mesh = input;
-  auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_deviation(1e-12).maximum_number_of_faces(budget));
+  auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_deviation(1e-6).maximum_number_of_faces(budget));
   assert(!report.is_maximum_deviation_met && report.stop_reason == HDR::FACE_BUDGET);
   assert(report.number_of_faces <= budget && !report.faces_above_maximum_deviation.empty());
+
+  // not even the smallest size would do: no round is made
+  mesh = input;
+  report = PMP::hermite_diffuse_remesh(mesh, params::maximum_deviation(1e-12).maximum_number_of_faces(budget));
+  assert(!report.is_maximum_deviation_met && report.number_of_faces <= budget);
+  assert(report.number_of_deviation_rounds == 0 && !report.deviation_obstacles.empty());
+  for(const HDR::Deviation_obstacle obstacle : report.deviation_obstacles)
+    assert(obstacle == HDR::DEVIATION_AT_SMALLEST_SIZE);
 
   mesh = input;
   report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(1e-12).maximum_number_of_faces(budget));

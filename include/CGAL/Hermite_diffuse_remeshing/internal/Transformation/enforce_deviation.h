@@ -34,7 +34,7 @@ class Deviation_refiner
 
   Mesh& m_mesh;
   Size_map& m_sizes;
-  double m_maximum_deviation;
+  double m_maximum_deviation, m_limit;
   Refinement_attempts m_attempts;
 
   // The adaptation leaves edges up to twice as long as their sizes. A face with a longer one has not followed
@@ -49,16 +49,17 @@ class Deviation_refiner
 public:
   Deviation_refiner(Mesh& mesh, Size_map& sizes, const double maximum_deviation)
     : m_mesh(mesh), m_sizes(sizes), m_maximum_deviation(maximum_deviation)
+    , m_limit(maximum_deviation)
   {}
 
-  // A deviation is known to a few percent: faces that are that close to the bound are refined too.
-  bool is_exceeded(const Entry& entry) const
-  {
-    constexpr double margin = 0.96;
-    return entry.deviation > margin * m_maximum_deviation;
-  }
+  bool is_exceeded(const Entry& entry) const { return entry.deviation > m_limit; }
 
-  void begin_round() { m_attempts.begin_round(); }
+  // `part`: of the bound, above which faces are refined
+  void begin_round(const double part)
+  {
+    m_limit = part * m_maximum_deviation;
+    m_attempts.begin_round();
+  }
 
   // Tells of all faces that deviate too much what keeps them from being refined, DEVIATION_AFTER_STOP if nothing does.
   // Returns the number of those.
@@ -164,6 +165,8 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   // then the few that are left are to do even so.
   constexpr std::size_t number_of_first_rounds = 2;
   constexpr double first_aim = 0.8, last_aim = 0.8 / 1.4142135623730951;
+  // Vertices move when shapes settle: faces that are that close to the bound before are refined too.
+  constexpr double first_limit = 0.96, last_limit = 1.;
   Deviation_meter<UserMesh> meter(mesh, maximum_deviation);
   Deviation_refiner<UserMesh> refiner(mesh, sizes, maximum_deviation);
   meter.measure();
@@ -171,7 +174,7 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   std::size_t coarse_rounds = 0, settlements = 0;
   for(bool is_finished = true; ; ++number_of_rounds)
   {
-    refiner.begin_round();
+    refiner.begin_round(settlements == 0 ? first_limit : last_limit);
     const std::size_t number = refiner.find_obstacles(meter.deviations().faces);
     const bool is_last = number == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
                       || settlements >= maximum_number_of_settlements;
