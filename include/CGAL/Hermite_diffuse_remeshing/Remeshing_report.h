@@ -137,10 +137,10 @@ struct Low_quality_face
   /// faces with a lower quality are reported
   static constexpr double low_quality = 0.3;
 
-  FaceDescriptor face;
-  double quality = 0.;
+  FaceDescriptor face;                            ///< of the result
+  double quality = 0.;                            ///< in [0, `low_quality`]
   std::array<double, 3> point = {{0., 0., 0.}};   ///< the centroid
-  Quality_obstacle obstacle = QUALITY_AFTER_STOP;
+  Quality_obstacle obstacle = QUALITY_AFTER_STOP; ///< the reason
   /// degrees between the feature curves; 0 for other reasons than `QUALITY_AT_FEATURE_ANGLE`
   double angle = 0.;
   /// no triangle can be better in a corner with this angle; 1 for other reasons
