@@ -24,6 +24,9 @@ file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
 if(NOT CGAL_Qt5_FOUND AND NOT CGAL_Qt6_FOUND)
   list(FILTER _sources EXCLUDE REGEX "/draw_")
 endif()
+# These call what the benchmarks call too, and the build has compiled them.
+list(FILTER _sources EXCLUDE REGEX
+  "/(hermite_diffuse_(remesh|remesh_region|features|polyhedron|visitor|volume_mesh)|adaptive_finite_elements)_example")
 foreach(_source ${_sources})
   string(MAKE_C_IDENTIFIER "${_source}" _name)
   add_test(NAME "alone_${_name}"
