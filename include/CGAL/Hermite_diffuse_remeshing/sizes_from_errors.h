@@ -67,11 +67,14 @@ public:
     const std::size_t n = m_triangles.points.size();
     std::vector<double> area(n, 0.), number(n, 0.), result;
     for(int f = 0; f < m_triangles.number_of_faces(); ++f)
+    {
+      const double face_area = 0.5 * m_triangles.area_vector(f).norm();
       for(const int v : m_triangles.triangles[f])
       {
-        area[v] += 0.5 * m_triangles.area_vector(f).norm();
+        area[v] += face_area;
         number[v] += m_powers[f] / power;
       }
+    }
     for(std::size_t v = 0; v < n; ++v)
       result.push_back(number[v] > 0. ? std::sqrt(4. / std::sqrt(3.) * area[v] / number[v])
                                       : std::numeric_limits<double>::infinity());

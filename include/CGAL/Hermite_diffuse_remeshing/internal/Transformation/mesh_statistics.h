@@ -66,12 +66,6 @@ Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh, const IsC
 }
 
 template <typename UserMesh>
-Quality_statistics measure_quality(const Working_mesh<UserMesh>& mesh)
-{
-  return measure_quality(mesh, [](const auto) { return true; });
-}
-
-template <typename UserMesh>
 std::size_t number_of_changed_faces(const Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   return std::count_if(faces(mesh.tmesh()).begin(), faces(mesh.tmesh()).end(), [&](const auto f)
