@@ -9,7 +9,6 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REMESHER_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REMESHER_H
 
-
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Adaptation_passes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Length_band.h>
