@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -46,6 +47,11 @@ class Deviation_targets
   static constexpr double tolerance = 0.05;
   // Relative to the size: faces of the mesh have points of their own that are as close.
   static constexpr double least_distance = 0.25;
+  // Height over the longest side of a facet, an arc of 44 degrees: a model that is steeper may be folded, and the points
+  // of the mesh near another part of it.
+  static constexpr double steep = 0.1;
+  // four thousand points in a face; where the model is so steep, one more says nothing new
+  static constexpr double largest_number_of_parts = 90.;
 
 public:
   // `is_remeshed(face of the reference)`
@@ -96,8 +102,9 @@ private:
     for(int k = 0; k < 3; ++k)
       longest_side = (std::max)(longest_side, (triangles().point(f, next(k)) - triangles().point(f, k)).norm());
     const double needed = std::sqrt(height / (tolerance * m_bound));
-    const double useful = longest_side / (least_distance * m_reference.sizes(location(f, 1. / 3., 1. / 3.)));
-    return (std::max)(1, static_cast<int>(std::ceil((std::min)(needed, useful))));
+    const double useful = height > steep * longest_side ? (std::numeric_limits<double>::infinity)()
+      : longest_side / (least_distance * m_reference.sizes(location(f, 1. / 3., 1. / 3.)));
+    return (std::max)(1, static_cast<int>(std::ceil((std::min)({needed, useful, largest_number_of_parts}))));
   }
 
   void collect_vertices(const Progress& progress)
