@@ -9,10 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_targets.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviations.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_gaps.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/closest_face.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Target_meter.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
 #include <algorithm>
@@ -20,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -53,16 +50,14 @@ class Deviation_meter
 
   // relative to the local size; a deviation needs two digits
   static constexpr double tolerance = 1e-3;
-  // Between the points the distance is larger by this part at most: 1 % by the grid of the heights over a face, and the
-  // rest by what the model has between its points and what a cubic does not tell of it.
-  static constexpr double unseen_part = 0.04;
+  static constexpr double raised = 1. + Deviations<UserMesh>::unseen_part;
   // a face is measured at its vertices, its middles and its centroid
   static constexpr double weight_in_mean = 1. / 7.;
 
 public:
   // `bound`: deviations below it need no second look
   Deviation_meter(const Mesh& mesh, const double bound)
-    : m_mesh(mesh), m_bound(bound / (1. + unseen_part)), m_index(make_index_map())
+    : m_mesh(mesh), m_bound(bound / raised), m_index(make_index_map())
     , m_targets(mesh.reference(), bound, [&mesh](const int f) { return mesh.is_reference_face_remeshed(f); },
                 progress())
   {
@@ -105,7 +100,7 @@ public:
         continue;
       const bool has_changed = m_mesh.has_changed(f, since);
       const int i = has_changed ? -1 : get(old_index, f);
-      if(has_changed || old_faces[i].deviation > (1. + unseen_part) * m_bound)
+      if(has_changed || old_faces[i].deviation > raised * m_bound)
       {
         add_new_face(f);
         continue;
@@ -147,41 +142,18 @@ private:
     measure_centroids();
     measure_edges();
     measure_vertices();
-    summarize();
-    m_second_look = (std::min)(m_bound, m_deviations.largest / (1. + unseen_part));
+    m_deviations.summarize();
+    m_second_look = (std::min)(m_bound, m_deviations.largest / raised);
     measure_peaks();
-    measure_targets();
-    summarize();
+    measure_ridges();
+    std::vector<face_descriptor> new_faces;
+    for(std::size_t i = 0; i < m_is_new.size(); ++i)
+      if(m_is_new[i])
+        new_faces.push_back(m_deviations.faces[i].face);
+    Target_meter<UserMesh>(m_mesh, m_index, std::move(new_faces), m_bound, m_second_look, m_targets, m_deviations)
+      .measure(progress());
+    m_deviations.summarize();
     m_gaps.clear();
-  }
-
-  void summarize()
-  {
-    m_deviations.largest = m_deviations.mean = 0.;
-    for(const auto& entry : m_deviations.faces)
-    {
-      m_deviations.mean += entry.mean / double(m_deviations.faces.size());
-      if(entry.deviation > m_deviations.largest)
-      {
-        m_deviations.largest = entry.deviation;
-        m_deviations.point_of_largest = entry.point;
-      }
-    }
-  }
-
-  void add(const Vector& p, const double distance, const Location& location,
-           const std::initializer_list<int> at_faces, const bool is_on_protected_edge = false)
-  {
-    const double deviation = (1. + unseen_part) * distance;
-    for(const int f : at_faces)
-      if(f != -1 && deviation >= m_deviations.faces[f].deviation)
-      {
-        Face_deviation<face_descriptor>& entry = m_deviations.faces[f];
-        entry.deviation = deviation;
-        entry.point = p;
-        entry.location = location;
-        entry.is_on_protected_edge = is_on_protected_edge;
-      }
   }
 
   void add_to_mean(const double distance, const int f)
@@ -226,7 +198,7 @@ private:
       const halfedge_descriptor h = halfedge(m_deviations.faces[i].face, tm);
       const Vector p = point_of_face(f, {{1. / 3., 1. / 3., 1. / 3.}});
       const Reference::Nearest nearest = project(p, h);
-      add(p, nearest.distance, nearest.location, {f});
+      m_deviations.add(p, nearest.distance, nearest.location, {f});
       add_to_mean(nearest.distance, f);
       m_gaps[i].centroid = std::copysign(nearest.distance, nearest.gap.dot(normal_of_face(f)));
     }
@@ -263,7 +235,7 @@ private:
       if(curve == -1)
       {
         nearest = project(p, h);
-        add(p, nearest.distance, nearest.location, {f, g});
+        m_deviations.add(p, nearest.distance, nearest.location, {f, g});
       }
       else
       {
@@ -272,7 +244,7 @@ private:
         nearest.gap = p - site.point;
         nearest.distance = nearest.gap.norm();
         // the arc may be farther away than its middle
-        add(p, (std::max)(nearest.distance, m_mesh.reference().curves.curves[curve].spline
+        m_deviations.add(p, (std::max)(nearest.distance, m_mesh.reference().curves.curves[curve].spline
                                               .distance_to_chord((std::min)(u, v), (std::max)(u, v))),
             site.location, {f, g}, m_mesh.is_protected(h));
       }
@@ -309,7 +281,7 @@ private:
       m_mesh.give_up_if_stopped();
       const Site& site = m_mesh.data(v).site;
       const Reference::Nearest nearest = m_mesh.reference().nearest(site.point, site.location, tolerance);
-      add(site.point, nearest.distance, nearest.location, {index_at(h)});
+      m_deviations.add(site.point, nearest.distance, nearest.location, {index_at(h)});
       for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
         add_to_mean(nearest.distance, index_at(g));
     }
@@ -331,60 +303,36 @@ private:
         continue;
       const Barycentric peak = m_gaps[i].peak();
       const double height = std::abs(m_gaps[i](peak));
-      if(height <= m_second_look || (1. + unseen_part) * height <= m_deviations.faces[i].deviation)
+      if(height <= m_second_look || raised * height <= m_deviations.faces[i].deviation)
         continue;
       m_mesh.give_up_if_stopped();
-      const Vector p = point_of_face(static_cast<int>(i), peak);
-      const Reference::Nearest nearest = project(p, halfedge(m_deviations.faces[i].face, m_mesh.tmesh()));
-      add(p, nearest.distance, nearest.location, {static_cast<int>(i)});
+      measure_point(static_cast<int>(i), peak);
     }
   }
 
-  // The closest faces of the points of the model are near each other like the points, so that a walk from one to the
-  // next is short. Where it ends far away, all new faces are searched.
-  void measure_targets()
+  // Over coarse faces of the reference, whose fits meet with a slight ridge, heights are no cubics: where they are
+  // near the bound, there are more points.
+  void measure_ridges()
   {
-    std::vector<int> last_face(m_mesh.reference().surface.triangles().number_of_faces(), -1);  // of those of the model
     for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
-      last_face[m_mesh.hint(m_deviations.faces[i].face)] = static_cast<int>(i);
-    std::unique_ptr<Face_search<UserMesh> > search;
-    const auto closest_new_face = [&](const Vector& p)
     {
-      if(search == nullptr)
-        search.reset(new Face_search<UserMesh>(m_mesh, new_faces(), progress()));
-      return search->closest(p);
-    };
-    int last = -1;
-    for(Deviation_target& target : m_targets.targets())
-    {
-      if(target.face != -1)
-        continue;
-      m_mesh.give_up_if_stopped();
-      int& near = last_face[target.location.face];
-      if(near == -1)
-        near = last;
-      auto closest = near != -1 ? walk_to_closest(m_mesh, m_deviations.faces[near].face, target.point)
-                                : closest_new_face(target.point);
-      if(near != -1 && closest.distance2 > m_second_look * m_second_look)
-      {
-        const auto other = closest_new_face(target.point);
-        if(other.distance2 < closest.distance2)
-          closest = other;
-      }
-      target.face = near = last = get(m_index, closest.face);
-      const double distance = std::sqrt(closest.distance2);
-      add(target.point, distance, target.location, {target.face},
-          distance > m_bound && is_on_protected_edge(m_mesh, closest, tolerance));
+      const Face_deviation<face_descriptor>& entry = m_deviations.faces[i];
+      if(m_is_new[i] && entry.deviation > part_to_look_around * raised * m_bound && m_targets.number_of_parts(entry.location) > 1)
+        for(int k = 0; k < 3; ++k)
+        {
+          Barycentric l = {{1. / 6., 1. / 6., 1. / 6.}};
+          l[k] = 2. / 3.;
+          m_mesh.give_up_if_stopped();
+          measure_point(static_cast<int>(i), l);
+        }
     }
   }
 
-  std::vector<face_descriptor> new_faces() const
+  void measure_point(const int f, const Barycentric& l)
   {
-    std::vector<face_descriptor> result;
-    for(std::size_t i = 0; i < m_is_new.size(); ++i)
-      if(m_is_new[i])
-        result.push_back(m_deviations.faces[i].face);
-    return result;
+    const Vector p = point_of_face(f, l);
+    const Reference::Nearest nearest = project(p, halfedge(m_deviations.faces[f].face, m_mesh.tmesh()));
+    m_deviations.add(p, nearest.distance, nearest.location, {f});
   }
 };
 

@@ -30,6 +30,21 @@ struct Deviation_target
   int face = -1;                        // the closest one of the mesh
 };
 
+// those of the same face that lie a step away, along its sides
+inline std::vector<Location> locations_around(const Location& location, const double step)
+{
+  std::vector<Location> result;
+  for(int k = 0; k < 3; ++k)
+    for(const int to : {next(k), previous(k)})
+      if(location.coordinates[k] >= step)
+      {
+        result.push_back(location);
+        result.back().coordinates[k] -= step;
+        result.back().coordinates[to] += step;
+      }
+  return result;
+}
+
 // The points of the model from which the deviation is measured back: the vertices of the reference, the middles
 // of its feature edges, on their curves, and as many points over its faces as the model between them needs to be
 // known to a part of the bound. A face of the mesh that spans several of the reference may be far from
@@ -62,7 +77,7 @@ public:
   {
     for(int f = 0; f < triangles().number_of_faces(); ++f, progress(0.))
       if(is_remeshed(f))
-        m_parts[f] = number_of_parts(f);
+        m_parts[f] = count_parts(f);
     collect_vertices(progress);
     collect_curve_points(progress);
     for(int f = 0; f < triangles().number_of_faces(); ++f, progress(0.))
@@ -70,6 +85,9 @@ public:
   }
 
   std::vector<Deviation_target>& targets() { return m_targets; }
+
+  // of the sides of the face at a location
+  int number_of_parts(const Location& location) const { return m_parts[location.face]; }
 
   // the largest distance between the model and the facets of the reference
   double model_distance() const { return m_model_distance; }
@@ -91,7 +109,7 @@ private:
   }
 
   // The height of the model over a facet falls with the square of the length.
-  int number_of_parts(const int f)
+  int count_parts(const int f)
   {
     double height = 0.;
     for(const Location& at : {location(f, 0.5, 0.), location(f, 0., 0.5), location(f, 0.5, 0.5),

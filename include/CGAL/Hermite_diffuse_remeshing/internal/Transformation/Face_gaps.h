@@ -38,7 +38,8 @@ struct Face_gaps
   double bound() const
   {
     // the sum of the products of two coordinates is at most 1/3, that of all three 1/27
-    return 4. / 3. * (std::max)({std::abs(middles[0]), std::abs(middles[1]), std::abs(middles[2])}) + std::abs(bubble());
+    const double largest = (std::max)({std::abs(middles[0]), std::abs(middles[1]), std::abs(middles[2])});
+    return 4. / 3. * largest + std::abs(bubble());
   }
 
   // The place of the largest height, of a grid: an arc between two of its points rises by 1 % at most.

@@ -26,7 +26,6 @@ struct Closest_on_mesh
 {
   FaceDescriptor face;
   Barycentric coordinates;              // the first is that of the source of the face's halfedge
-  Vector point;
   double distance2;
 };
 
@@ -43,8 +42,8 @@ closest_on_face(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<
   Closest_on_mesh<typename Working_mesh<UserMesh>::face_descriptor> result;
   result.face = f;
   result.coordinates = closest_barycentric(a, b, c, p);
-  result.point = result.coordinates[0] * a + result.coordinates[1] * b + result.coordinates[2] * c;
-  result.distance2 = (result.point - p).squaredNorm();
+  const Barycentric& l = result.coordinates;
+  result.distance2 = (l[0] * a + l[1] * b + l[2] * c - p).squaredNorm();
   return result;
 }
 
