@@ -317,7 +317,8 @@ private:
     for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
     {
       const Face_deviation<face_descriptor>& entry = m_deviations.faces[i];
-      if(m_is_new[i] && entry.deviation > part_to_look_around * raised * m_bound && m_targets.number_of_parts(entry.location) > 1)
+      if(m_is_new[i] && entry.deviation > part_to_look_around * raised * m_bound
+         && m_targets.number_of_parts(entry.location) > 1)
         for(int k = 0; k < 3; ++k)
         {
           Barycentric l = {{1. / 6., 1. / 6., 1. / 6.}};

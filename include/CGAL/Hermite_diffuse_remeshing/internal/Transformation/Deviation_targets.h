@@ -62,8 +62,8 @@ class Deviation_targets
   static constexpr double tolerance = 0.05;
   // Relative to the size: faces of the mesh have points of their own that are as close.
   static constexpr double least_distance = 0.25;
-  // Height over the longest side of a facet, an arc of 44 degrees: a model that is steeper may be folded, and the points
-  // of the mesh near another part of it.
+  // Height over the longest side of a facet, an arc of 44 degrees: a model that is steeper may be folded, and the
+  // points of the mesh near another part of it.
   static constexpr double steep = 0.1;
   // four thousand points in a face; where the model is so steep, one more says nothing new
   static constexpr double largest_number_of_parts = 90.;
@@ -121,8 +121,18 @@ private:
       longest_side = (std::max)(longest_side, (triangles().point(f, next(k)) - triangles().point(f, k)).norm());
     const double needed = std::sqrt(height / (tolerance * m_bound));
     const double useful = height > steep * longest_side ? (std::numeric_limits<double>::infinity)()
-      : longest_side / (least_distance * m_reference.sizes(location(f, 1. / 3., 1. / 3.)));
+                                                        : longest_side / (least_distance * smallest_size(f));
     return (std::max)(1, static_cast<int>(std::ceil((std::min)({needed, useful, largest_number_of_parts}))));
+  }
+
+  // of those at the corners, the middles and the centroid
+  double smallest_size(const int f) const
+  {
+    double result = m_reference.sizes(location(f, 1. / 3., 1. / 3.));
+    for(int i = 0; i <= 2; ++i)
+      for(int j = 0; i + j <= 2; ++j)
+        result = (std::min)(result, m_reference.sizes(location(f, i / 2., j / 2.)));
+    return result;
   }
 
   void collect_vertices(const Progress& progress)

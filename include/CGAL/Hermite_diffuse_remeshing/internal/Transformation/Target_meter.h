@@ -86,7 +86,8 @@ public:
       const Closest at_target = closest(target.point, near != -1 ? near : last);
       target.face = near = last = get(m_index, at_target.face);
       add_target(target.point, at_target, target.location);
-      if(at_target.distance2 > CGAL::square(part_to_look_around * m_bound) && m_targets.number_of_parts(target.location) > 1)
+      if(at_target.distance2 > CGAL::square(part_to_look_around * m_bound)
+         && m_targets.number_of_parts(target.location) > 1)
         climb(target, at_target, closest);
     }
   }
@@ -96,11 +97,11 @@ private:
   {
     const double distance = std::sqrt(closest.distance2);
     m_deviations.add(p, distance, location, {get(m_index, closest.face)},
-        distance > m_bound && is_on_protected_edge(m_mesh, closest, tolerance));
+                     distance > m_bound && is_on_protected_edge(m_mesh, closest, tolerance));
   }
 
-  // From a point of the model that is nearly too far away to one between it and the next ones that is farther. The model
-  // has a slight ridge along the sides of coarse faces, at which smooth heights over a face of the mesh tell nothing.
+  // From a point of the model that is nearly too far away to one between it and the next ones that is farther. The
+  // model has a slight ridge along the sides of coarse faces, of which smooth heights over a face of the mesh know nothing.
   template <typename FindClosest>
   void climb(const Deviation_target& target, const Closest& at_target, const FindClosest& find_closest)
   {
