@@ -116,6 +116,7 @@ private:
                               location(f, 1. / 3., 1. / 3.)})
       height = (std::max)(height, distance_to_facet(at, m_reference.surface_point(at)));
     m_model_distance = (std::max)(m_model_distance, height);
+    height = (std::max)(height, height_of_sides(f));
     double longest_side = 0.;
     for(int k = 0; k < 3; ++k)
       longest_side = (std::max)(longest_side, (triangles().point(f, next(k)) - triangles().point(f, k)).norm());
@@ -123,6 +124,27 @@ private:
     const double useful = height > steep * longest_side ? (std::numeric_limits<double>::infinity)()
                                                         : longest_side / (least_distance * smallest_size(f));
     return (std::max)(1, static_cast<int>(std::ceil((std::min)({needed, useful, largest_number_of_parts}))));
+  }
+
+  // What the normals at the corners let expect: a side like an S has no height at its middle. An arc with the slope s at
+  // both ends rises by s/4 of its length.
+  double height_of_sides(const int f) const
+  {
+    constexpr double least_cosine = 0.2;
+    const Vector normal = triangles().area_vector(f).stableNormalized();
+    double height = 0.;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Vector side = triangles().point(f, next(k)) - triangles().point(f, k);
+      double rise = 0.;
+      for(const int corner : {k, next(k)})
+      {
+        const Vector& n = m_reference.surface.node(f, corner).normal;
+        rise += std::abs(n.dot(side)) / (std::max)(n.dot(normal), least_cosine);
+      }
+      height = (std::max)(height, rise / 8.);
+    }
+    return height;
   }
 
   // of those at the corners, the middles and the centroid

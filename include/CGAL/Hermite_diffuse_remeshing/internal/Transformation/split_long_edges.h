@@ -98,12 +98,15 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, c
   // halves the longest edge from the model's diameter to its rounding
   constexpr int maximum_number_of_rounds = 48;
   const std::size_t before = mesh.counts().splits;
+  // what could not be split, and has not changed in the round before, is not tried again
+  std::size_t since_round = since;
   for(int round = 0; round < maximum_number_of_rounds; ++round)
   {
     const std::size_t before_round = mesh.counts().splits;
     const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h, const double length)
-                                     { return (length > bound || !is_faithful(mesh, h))
-                                              && mesh.has_changed(h, since) && !mesh.is_protected(h); });
+                                     { return mesh.has_changed(h, since_round) && !mesh.is_protected(h)
+                                              && (length > bound || !is_faithful(mesh, h)); });
+    since_round = mesh.number_of_changes();
     for(const auto& candidate : queue)
     {
       if(mesh.is_stopped() || mesh.is_full())
