@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,6 +36,10 @@ class Graded_sizes
 public:
   int number_of_samples() const { return static_cast<int>(m_sizes.size()); }
   double operator[](const int sample) const { return m_sizes[sample]; }
+
+  const std::vector<double>& values() const { return m_sizes; }
+  // of all samples
+  void set(std::vector<double> values) { m_sizes = std::move(values); }
 
   // A sample has been added or lowered, or has got new neighbours.
   void note(const int sample) { m_noted.push_back(sample); }
@@ -85,10 +90,7 @@ private:
                     const double gradation, const IndexRange& seeds, const Progress& progress)
   {
     progress(0.);
-    std::vector<std::array<int, 3> > leaves;
-    for(int c = 0; c < cells.number_of_cells(); ++c)
-      if(cells.is_leaf(c))
-        leaves.push_back(cells[c].samples);
+    const std::vector<std::array<int, 3> > leaves = cells.samples_of_leaves();
     const auto position = [&](const int i) -> const Vector& { return samples.position(i); };
     limit_gradation(leaves, position, slope_of_gradation(gradation), seeds, m_sizes, progress);
     if(!frozen.is_empty())

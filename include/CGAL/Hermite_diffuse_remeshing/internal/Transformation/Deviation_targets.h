@@ -126,8 +126,8 @@ private:
     return (std::max)(1, static_cast<int>(std::ceil((std::min)({needed, useful, largest_number_of_parts}))));
   }
 
-  // What the normals at the corners let expect: a side like an S has no height at its middle. An arc with the slope s at
-  // both ends rises by s/4 of its length.
+  // What the normals at the corners let expect: a side like an S has no height at its middle. An arc with the slope s
+  // at both ends rises by s/4 of its length.
   double height_of_sides(const int f) const
   {
     constexpr double least_cosine = 0.2;

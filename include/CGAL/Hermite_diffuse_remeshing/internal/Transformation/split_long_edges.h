@@ -88,35 +88,42 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
                                    : after.score > before.score + score_margin;
 }
 
-// Splits the edges that are longer than `bound` times their size, or too far from their feature curve, longest
-// first; edges that are still too long after that are met again in the next round. Lengths halve, so the
-// rounds end. Only edges with changes around them are looked at.
+// Splits the edges that are longer than `bound` times their size, or too far from their feature curve, each once, the
+// longest first. Only edges with changes around them are looked at.
+template <typename UserMesh>
+std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
+{
+  typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
+  const std::size_t before = mesh.counts().splits;
+  const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h)
+                                   { return mesh.has_changed(h, since) && !mesh.is_protected(h)
+                                            && (mesh.relative_length(h) > bound || !is_faithful(mesh, h)); });
+  for(const auto& candidate : queue)
+  {
+    if(mesh.is_stopped() || mesh.is_full())
+      break;
+    const Site site = middle_site(mesh, candidate.halfedge);
+    if(is_split_legal(mesh, candidate.halfedge, site) && is_split_free(mesh, candidate.halfedge, site))
+      mesh.split_edge(candidate.halfedge, site);
+  }
+  return mesh.counts().splits - before;
+}
+
+// Edges that are still too long after that are met again in the next round. Lengths halve, so the rounds end.
 template <typename UserMesh>
 std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
 {
-  typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   // halves the longest edge from the model's diameter to its rounding
   constexpr int maximum_number_of_rounds = 48;
   const std::size_t before = mesh.counts().splits;
   // what could not be split, and has not changed in the round before, is not tried again
   std::size_t since_round = since;
-  for(int round = 0; round < maximum_number_of_rounds; ++round)
+  for(int round = 0; round < maximum_number_of_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
   {
-    const std::size_t before_round = mesh.counts().splits;
-    const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h, const double length)
-                                     { return mesh.has_changed(h, since_round) && !mesh.is_protected(h)
-                                              && (length > bound || !is_faithful(mesh, h)); });
-    since_round = mesh.number_of_changes();
-    for(const auto& candidate : queue)
-    {
-      if(mesh.is_stopped() || mesh.is_full())
-        return mesh.counts().splits - before;
-      const Site site = middle_site(mesh, candidate.halfedge);
-      if(is_split_legal(mesh, candidate.halfedge, site) && is_split_free(mesh, candidate.halfedge, site))
-        mesh.split_edge(candidate.halfedge, site);
-    }
-    if(mesh.counts().splits == before_round)
+    const std::size_t number_of_changes = mesh.number_of_changes();
+    if(split_long_edges_once(mesh, bound, since_round) == 0)
       break;
+    since_round = number_of_changes;
   }
   return mesh.counts().splits - before;
 }
