@@ -281,10 +281,7 @@ private:
       m_mesh.give_up_if_stopped();
       const Site& site = m_mesh.data(v).site;
       if(site.curve == -1)
-      {
-        count(0.);
-        continue;
-      }
+        continue;                       // its point has been evaluated from its location
       const Reference::Nearest nearest = m_mesh.reference().nearest(site.point, site.location, tolerance);
       m_deviations.add(site.point, nearest.distance, nearest.location, {index_at(h)});
       for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
