@@ -28,7 +28,7 @@ namespace internal {
 // Measures the deviation of the working mesh from the reference. From the mesh to the model: at vertices,
 // edge middles and face centroids, and where these tell that it is larger in between; at feature edges between the
 // edge and its curve. And back: from points of the model to the closest facet of the mesh. What is between
-// the points is allowed for: no place is farther away than what is said of its face. Throws Interrupted on request.
+// the points is allowed for by a margin. Throws Interrupted on request.
 template <typename UserMesh>
 class Deviation_meter
 {
