@@ -9,13 +9,13 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 
-#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Triangle_tree.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_targets.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_gaps.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Target_meter.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <utility>
@@ -25,32 +25,10 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// The distance between the result and the reference at one face of the result.
-template <typename FaceDescriptor>
-struct Face_deviation
-{
-  FaceDescriptor face;
-  double deviation = 0.;
-  Vector point = Vector::Zero();        // where it was measured
-  Location location;                    // there, on the reference
-  bool is_on_protected_edge = false;    // is it there?
-  Deviation_obstacle obstacle = DEVIATION_AFTER_STOP;   // of a face that deviates too much
-};
-
-template <typename UserMesh>
-struct Deviations
-{
-  typedef typename Working_mesh<UserMesh>::face_descriptor face_descriptor;
-
-  std::vector<Face_deviation<face_descriptor> > faces;
-  double largest = 0., mean = 0.;       // the mean: from the mesh to the model
-  double model_distance = 0.;           // between the model and the facets of the reference
-  Vector point_of_largest = Vector::Zero();
-};
-
 // Measures the deviation of the working mesh from the reference. From the mesh to the model: at vertices,
-// edge middles and face centroids; at the middles of feature edges to the curve. And back: from
-// points of the model to the closest facet of the mesh. Throws Interrupted on request.
+// edge middles and face centroids, and where these tell that it is larger in between; at feature edges between the
+// edge and its curve. And back: from points of the model to the closest facet of the mesh. What is between
+// the points is allowed for by a margin. Throws Interrupted on request.
 template <typename UserMesh>
 class Deviation_meter
 {
@@ -67,16 +45,19 @@ class Deviation_meter
   Deviation_targets m_targets;
   Deviations<UserMesh> m_deviations;
   std::vector<char> m_is_new;           // of the faces: has to be measured
-  double m_sum = 0.;
-  std::size_t m_number = 0;
+  std::vector<Face_gaps> m_gaps;        // of those
+  double m_second_look = 0.;            // distances below it need none
 
   // relative to the local size; a deviation needs two digits
   static constexpr double tolerance = 1e-3;
+  static constexpr double raised = 1. + Deviations<UserMesh>::unseen_part;
+  // a face is measured at its vertices, its middles and its centroid
+  static constexpr double weight_in_mean = 1. / 7.;
 
 public:
-  // `bound`: distances below it need no second look
+  // `bound`: deviations below it need no second look
   Deviation_meter(const Mesh& mesh, const double bound)
-    : m_mesh(mesh), m_bound(bound), m_index(make_index_map())
+    : m_mesh(mesh), m_bound(bound / raised), m_index(make_index_map())
     , m_targets(mesh.reference(), bound, [&mesh](const int f) { return mesh.is_reference_face_remeshed(f); },
                 progress())
   {
@@ -90,8 +71,6 @@ public:
     m_deviations.faces.clear();
     m_is_new.clear();
     m_index = make_index_map();
-    m_sum = 0.;
-    m_number = 0;
     for(const face_descriptor f : faces(m_mesh.tmesh()))
     {
       put(m_index, f, -1);
@@ -101,12 +80,11 @@ public:
     for(Deviation_target& target : m_targets.targets())
       target.face = -1;
     measure_new_faces();
-    m_deviations.mean = m_sum / (std::max)(std::size_t(1), m_number);
   }
 
-  // Measures again what has changed since; the mean stays. The points of the reference whose closest face
-  // has changed look for it among the faces that have changed: the distance to some of the faces is
-  // an upper bound of the distance to all.
+  // Measures again what has changed since, and what deviates too much. The points of the reference whose closest face
+  // has changed look for it near by and among the faces that have changed: the distance to some of the faces
+  // is an upper bound of the distance to all.
   void update(const std::size_t since)
   {
     std::vector<Face_deviation<face_descriptor> > old_faces;
@@ -120,13 +98,14 @@ public:
       put(m_index, f, -1);
       if(!m_mesh.is_remeshed(f))
         continue;
-      if(m_mesh.has_changed(f, since))
+      const bool has_changed = m_mesh.has_changed(f, since);
+      const int i = has_changed ? -1 : get(old_index, f);
+      if(has_changed || old_faces[i].deviation > raised * m_bound)
       {
         add_new_face(f);
         continue;
       }
       m_mesh.give_up_if_stopped();
-      const int i = get(old_index, f);
       new_index[i] = static_cast<int>(m_deviations.faces.size());
       put(m_index, f, new_index[i]);
       m_deviations.faces.push_back(old_faces[i]);
@@ -159,43 +138,34 @@ private:
 
   void measure_new_faces()
   {
+    m_gaps.assign(m_deviations.faces.size(), Face_gaps());
     measure_centroids();
     measure_edges();
     measure_vertices();
-    measure_targets();
-    m_deviations.largest = 0.;
-    for(const auto& entry : m_deviations.faces)
-      if(entry.deviation > m_deviations.largest)
-      {
-        m_deviations.largest = entry.deviation;
-        m_deviations.point_of_largest = entry.point;
-      }
+    m_deviations.summarize();
+    m_second_look = (std::min)(m_bound, m_deviations.largest / raised);
+    measure_peaks();
+    measure_ridges();
+    std::vector<face_descriptor> new_faces;
+    for(std::size_t i = 0; i < m_is_new.size(); ++i)
+      if(m_is_new[i])
+        new_faces.push_back(m_deviations.faces[i].face);
+    Target_meter<UserMesh>(m_mesh, m_index, std::move(new_faces), m_bound, m_second_look, m_targets, m_deviations)
+      .measure(progress());
+    m_deviations.summarize();
+    m_gaps.clear();
   }
 
-  void count(const double deviation)
+  void add_to_mean(const double distance, const int f)
   {
-    m_sum += deviation;
-    ++m_number;
-  }
-
-  void add(const Vector& p, const double deviation, const Location& location,
-           const std::initializer_list<int> at_faces, const bool is_on_protected_edge = false)
-  {
-    for(const int f : at_faces)
-      if(f != -1 && deviation >= m_deviations.faces[f].deviation)
-      {
-        Face_deviation<face_descriptor>& entry = m_deviations.faces[f];
-        entry.deviation = deviation;
-        entry.point = p;
-        entry.location = location;
-        entry.is_on_protected_edge = is_on_protected_edge;
-      }
+    if(is_new(f))
+      m_deviations.faces[f].mean += weight_in_mean * distance;
   }
 
   // Newton's method starts from the facet's point that is closest. Where the surface is steep over its
   // facets it may end at another part of the surface: before a point counts as too far away, the
   // locations of the vertices around it are tried.
-  void add_projection(const Vector& p, const halfedge_descriptor h, const std::initializer_list<int> at_faces)
+  Reference::Nearest project(const Vector& p, const halfedge_descriptor h) const
   {
     const Reference& reference = m_mesh.reference();
     const TriangleMesh& tm = m_mesh.tmesh();
@@ -207,8 +177,7 @@ private:
         if(other.distance < nearest.distance)
           nearest = other;
       }
-    count(nearest.distance);
-    add(p, nearest.distance, nearest.location, at_faces);
+    return nearest;
   }
 
   int index_at(const halfedge_descriptor h) const
@@ -225,11 +194,26 @@ private:
       if(!m_is_new[i])
         continue;
       m_mesh.give_up_if_stopped();
+      const int f = static_cast<int>(i);
       const halfedge_descriptor h = halfedge(m_deviations.faces[i].face, tm);
-      add_projection((m_mesh.point(source(h, tm)) + m_mesh.point(target(h, tm))
-                      + m_mesh.point(target(next(h, tm), tm))) / 3.,
-                     h, {static_cast<int>(i)});
+      const Vector p = point_of_face(f, {{1. / 3., 1. / 3., 1. / 3.}});
+      const Reference::Nearest nearest = project(p, h);
+      m_deviations.add(p, nearest.distance, nearest.location, {f});
+      add_to_mean(nearest.distance, f);
+      m_gaps[i].centroid = std::copysign(nearest.distance, nearest.gap.dot(normal_of_face(f)));
     }
+  }
+
+  Vector normal_of_face(const int f) const
+  {
+    const std::array<Vector, 3> p = m_mesh.triangle(m_deviations.faces[f].face).points;
+    return (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
+  }
+
+  Vector point_of_face(const int f, const Barycentric& l) const
+  {
+    const std::array<Vector, 3> p = m_mesh.triangle(m_deviations.faces[f].face).points;
+    return l[0] * p[0] + l[1] * p[1] + l[2] * p[2];
   }
 
   void measure_edges()
@@ -247,16 +231,41 @@ private:
       const auto s = source(h, tm), t = target(h, tm);
       const Vector p = (m_mesh.point(s) + m_mesh.point(t)) / 2.;
       const int curve = m_mesh.curve(h);
+      Reference::Nearest nearest;
       if(curve == -1)
       {
-        add_projection(p, h, {f, g});
-        continue;
+        nearest = project(p, h);
+        m_deviations.add(p, nearest.distance, nearest.location, {f, g});
       }
-      const Site site = m_mesh.reference().curve_site(curve, (m_mesh.parameter(s, curve)
-                                                             + m_mesh.parameter(t, curve)) / 2.);
-      count((site.point - p).norm());
-      add(p, (site.point - p).norm(), site.location, {f, g}, m_mesh.is_protected(h));
+      else
+      {
+        const double u = m_mesh.parameter(s, curve), v = m_mesh.parameter(t, curve);
+        const Site site = m_mesh.reference().curve_site(curve, (u + v) / 2.);
+        nearest.gap = p - site.point;
+        nearest.distance = nearest.gap.norm();
+        // the arc may be farther away than its middle
+        m_deviations.add(p, (std::max)(nearest.distance, m_mesh.reference().curves.curves[curve].spline
+                                              .distance_to_chord((std::min)(u, v), (std::max)(u, v))),
+            site.location, {f, g}, m_mesh.is_protected(h));
+      }
+      for(const halfedge_descriptor side : {h, opposite(h, tm)})
+      {
+        const int i = index_at(side);
+        add_to_mean(nearest.distance, i);
+        if(is_new(i))
+          set_gap(side, curve == -1 ? nearest.distance : 0., nearest.gap);
+      }
     }
+  }
+
+  // At an edge on a curve, which the model may leave in the plane of the face, only what is across the plane counts.
+  void set_gap(const halfedge_descriptor side, const double distance, const Vector& gap)
+  {
+    const TriangleMesh& tm = m_mesh.tmesh();
+    const halfedge_descriptor first = halfedge(face(side, tm), tm);
+    const int k = side == first ? 0 : side == next(first, tm) ? 1 : 2;
+    const double across = gap.dot(normal_of_face(index_at(side)));
+    m_gaps[index_at(side)].middles[k] = std::copysign((std::max)(distance, std::abs(across)), across);
   }
 
   void measure_vertices()
@@ -267,69 +276,66 @@ private:
       if(m_mesh.index(v) == -1)
         continue;
       const halfedge_descriptor h = first_remeshed_halfedge(m_mesh, v);
-      if(h == Mesh::Graph_traits::null_halfedge() || !is_new(index_at(h)))
+      if(h == Mesh::Graph_traits::null_halfedge() || !has_new_face(v))
         continue;
       m_mesh.give_up_if_stopped();
       const Site& site = m_mesh.data(v).site;
       if(site.curve == -1)
-      {
-        count(0.);
-        continue;
-      }
+        continue;                       // its point has been evaluated from its location
       const Reference::Nearest nearest = m_mesh.reference().nearest(site.point, site.location, tolerance);
-      count(nearest.distance);
-      add(site.point, nearest.distance, nearest.location, {index_at(h)});
+      m_deviations.add(site.point, nearest.distance, nearest.location, {index_at(h)});
+      for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
+        add_to_mean(nearest.distance, index_at(g));
     }
   }
 
-  void measure_targets()
+  bool has_new_face(const typename Mesh::vertex_descriptor v) const
   {
-    const TriangleMesh& tm = m_mesh.tmesh();
-    Indexed_triangles facets;
-    std::vector<int> index_of_facet;
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh.tmesh()))
+      if(is_new(index_at(h)))
+        return true;
+    return false;
+  }
+
+  void measure_peaks()
+  {
     for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
     {
-      if(!m_is_new[i])
+      if(!m_is_new[i] || m_gaps[i].bound() <= m_second_look)
+        continue;
+      const Barycentric peak = m_gaps[i].peak();
+      const double height = std::abs(m_gaps[i](peak));
+      if(height <= m_second_look || raised * height <= m_deviations.faces[i].deviation)
         continue;
       m_mesh.give_up_if_stopped();
-      std::array<int, 3> triangle;
-      halfedge_descriptor h = halfedge(m_deviations.faces[i].face, tm);
-      for(int k = 0; k < 3; ++k, h = next(h, tm))
-      {
-        triangle[k] = facets.number_of_vertices();
-        facets.points.push_back(m_mesh.point(source(h, tm)));
-      }
-      facets.triangles.push_back(triangle);
-      index_of_facet.push_back(static_cast<int>(i));
-    }
-    if(index_of_facet.empty())
-      return;
-    const Triangle_tree tree(facets, progress());
-    for(Deviation_target& target : m_targets.targets())
-    {
-      if(target.face != -1)
-        continue;
-      m_mesh.give_up_if_stopped();
-      const std::pair<int, Vector> closest = tree.closest(target.point);
-      target.face = index_of_facet[closest.first];
-      const double distance = (closest.second - target.point).norm();
-      add(target.point, distance, target.location, {target.face},
-          distance > m_bound && is_on_protected_edge(closest.second, m_deviations.faces[target.face].face));
+      measure_point(static_cast<int>(i), peak);
     }
   }
 
-  bool is_on_protected_edge(const Vector& p, const face_descriptor f) const
+  // Over coarse faces of the reference, whose fits meet with a slight ridge, heights are no cubics: where they are
+  // near the bound, there are more points.
+  void measure_ridges()
   {
-    const TriangleMesh& tm = m_mesh.tmesh();
-    for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
+    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
     {
-      if(!m_mesh.is_protected(h))
-        continue;
-      const Vector a = m_mesh.point(source(h, tm)), direction = m_mesh.point(target(h, tm)) - a;
-      if(direction.cross(p - a).norm() <= tolerance * direction.squaredNorm())
-        return true;
+      const Face_deviation<face_descriptor>& entry = m_deviations.faces[i];
+      if(m_is_new[i] && entry.deviation > part_to_look_around * raised * m_bound
+         && m_targets.number_of_parts(entry.location) > 1)
+        for(int k = 0; k < 3; ++k)
+        {
+          Barycentric l = {{1. / 6., 1. / 6., 1. / 6.}};
+          l[k] = 2. / 3.;
+          m_mesh.give_up_if_stopped();
+          measure_point(static_cast<int>(i), l);
+        }
     }
-    return false;
+  }
+
+  void measure_point(const int f, const Barycentric& l)
+  {
+    const Vector p = point_of_face(f, l);
+    const Reference::Nearest nearest = project(p, halfedge(m_deviations.faces[f].face, m_mesh.tmesh()));
+    m_deviations.add(p, nearest.distance, nearest.location, {f});
   }
 };
 

@@ -96,8 +96,8 @@ std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bou
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   const std::size_t before = mesh.counts().splits;
   const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h)
-                                   { return (mesh.relative_length(h) > bound || !is_faithful(mesh, h))
-                                            && mesh.has_changed(h, since) && !mesh.is_protected(h); });
+                                   { return mesh.has_changed(h, since) && !mesh.is_protected(h)
+                                            && (mesh.relative_length(h) > bound || !is_faithful(mesh, h)); });
   for(const auto& candidate : queue)
   {
     if(mesh.is_stopped() || mesh.is_full())
@@ -116,9 +116,15 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, c
   // halves the longest edge from the model's diameter to its rounding
   constexpr int maximum_number_of_rounds = 48;
   const std::size_t before = mesh.counts().splits;
+  // what could not be split, and has not changed in the round before, is not tried again
+  std::size_t since_round = since;
   for(int round = 0; round < maximum_number_of_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
-    if(split_long_edges_once(mesh, bound, since) == 0)
+  {
+    const std::size_t number_of_changes = mesh.number_of_changes();
+    if(split_long_edges_once(mesh, bound, since_round) == 0)
       break;
+    since_round = number_of_changes;
+  }
   return mesh.counts().splits - before;
 }
 
