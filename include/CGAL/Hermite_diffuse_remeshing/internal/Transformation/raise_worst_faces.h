@@ -54,12 +54,13 @@ class Worst_face_hunt
   // the best operation found so far for a face
   struct Plan
   {
+    bool has_to_be_free = false;        // of intersections
     Kind kind = NOTHING;
     Worth after{-1., 0.};
-    halfedge_descriptor halfedge;
-    vertex_descriptor vertex;
-    Site site;
-    std::variant<Vertex_removal<UserMesh>, Edge_removal<UserMesh>, Curve_vertex_removal<UserMesh> > removal;
+    halfedge_descriptor halfedge = {};
+    vertex_descriptor vertex = {};
+    Site site = {};
+    std::variant<Vertex_removal<UserMesh>, Edge_removal<UserMesh>, Curve_vertex_removal<UserMesh> > removal = {};
   };
 
   Mesh& m_mesh;
@@ -104,7 +105,8 @@ public:
       if(h == Mesh::Graph_traits::null_halfedge() || make_entry(h).level != entry.level)
         continue;                       // has been replaced
       m_mesh.start_log();
-      if(execute(best_plan(h)))
+      // the best operation is free as a rule; not all are asked for intersections before there is a need
+      if(execute(best_plan(h, false)) || execute(best_plan(h, true)))
       {
         ++number;
         push_changed();
@@ -119,8 +121,9 @@ public:
   // Is there an operation that raises a face, and is it free of intersections?
   Prospect prospect(const halfedge_descriptor h) const
   {
-    const Plan plan = best_plan(h);
-    return plan.kind == NOTHING ? NO_OPERATION : is_free(plan) ? FREE : NOT_FREE;
+    const Plan plan = best_plan(h, false);
+    return plan.kind == NOTHING ? NO_OPERATION
+         : is_free(plan) || best_plan(h, true).kind != NOTHING ? FREE : NOT_FREE;
   }
 
 private:
@@ -176,11 +179,12 @@ private:
   }
 
   // tries everything at a face
-  Plan best_plan(const halfedge_descriptor h) const
+  Plan best_plan(const halfedge_descriptor h, const bool has_to_be_free) const
   {
     const auto& tm = m_mesh.tmesh();
     const std::array<halfedge_descriptor, 3> sides = {{h, next(h, tm), prev(h, tm)}};
     Plan plan;
+    plan.has_to_be_free = has_to_be_free;
     for(const halfedge_descriptor side : sides)
     {
       plan_flip(side, plan);
@@ -203,11 +207,11 @@ private:
   static bool improves(const Worth& after, const Worth& before, const Plan& plan)
   { return is_better(after, before) && after.score > plan.after.score + score_margin; }
 
-  Plan& take(const Kind kind, const Worth& after, Plan& plan) const
+  void offer(Plan candidate, Plan& plan) const
   {
-    plan.kind = kind;
-    plan.after = after;
-    return plan;
+    candidate.has_to_be_free = plan.has_to_be_free;
+    if(!plan.has_to_be_free || is_free(candidate))
+      plan = candidate;
   }
 
   void plan_flip(const halfedge_descriptor h, Plan& plan) const
@@ -216,7 +220,7 @@ private:
       return;
     const Worth after = worth_after_flip(m_mesh, h);
     if(improves(after, worth_of_pair(m_mesh, h), plan))
-      take(FLIP, after, plan).halfedge = h;
+      offer({false, FLIP, after, h}, plan);
   }
 
   void plan_relocation(const vertex_descriptor v, Plan& plan) const
@@ -227,10 +231,8 @@ private:
     star.add(m_mesh, v);
     const Site site = better_site(m_mesh, v, star);
     const Worth after = star.worth(site);
-    if(!improves(after, star.worth(m_mesh.site(v)), plan))
-      return;
-    take(RELOCATION, after, plan).vertex = v;
-    plan.site = site;
+    if(improves(after, star.worth(m_mesh.site(v)), plan))
+      offer({false, RELOCATION, after, halfedge(v, m_mesh.tmesh()), v, site}, plan);
   }
 
   void plan_collapse(const halfedge_descriptor h, Plan& plan) const
@@ -247,10 +249,8 @@ private:
     for(const Site& site : sites)
     {
       const Worth after = star.worth(site);
-      if(!improves(after, before, plan) || !are_edges_acceptable_after_collapse(m_mesh, h, site, longest_length))
-        continue;
-      take(COLLAPSE, after, plan).halfedge = h;
-      plan.site = site;
+      if(improves(after, before, plan) && are_edges_acceptable_after_collapse(m_mesh, h, site, longest_length))
+        offer({false, COLLAPSE, after, h, t, site}, plan);
     }
   }
 
@@ -271,10 +271,8 @@ private:
     if(!m_mesh.is_on_curve(h))
       site = star.better_site(site);
     const Worth after = star.worth(site);
-    if(!improves(after, before, plan))
-      return;
-    take(SPLIT, after, plan).halfedge = h;
-    plan.site = site;
+    if(improves(after, before, plan))
+      offer({false, SPLIT, after, h, target(h, tm), site}, plan);
   }
 
   template <typename Removal, typename Element>
@@ -283,7 +281,7 @@ private:
     Removal removal;
     const Worth after = removal.plan(m_mesh, element);
     if(improves(after, before, plan))
-      take(REMOVAL, after, plan).removal = removal;
+      offer({false, REMOVAL, after, {}, {}, {}, removal}, plan);
   }
 
   void plan_removals(const halfedge_descriptor h, Plan& plan) const
@@ -345,11 +343,8 @@ private:
     const Site site = star.better_site(m_mesh.site(v));
     Worth after = star.worth(site);
     after.add(rest);
-    if(!improves(after, before, plan))
-      return;
-    take(FLIP_AND_RELOCATION, after, plan).halfedge = h;
-    plan.vertex = v;
-    plan.site = site;
+    if(improves(after, before, plan))
+      offer({false, FLIP_AND_RELOCATION, after, h, v, site}, plan);
   }
 
   bool is_free(const Plan& plan) const
