@@ -306,7 +306,8 @@ int main(int argc, char** argv)
   const std::size_t largest_budget = argc > 4 ? std::size_t(std::atoi(argv[4])) : 1000;
   std::vector<unsigned> seeds;
   if(argc == 1)
-    seeds = {453, 501};           // collapses of ears that touch other faces in their tips
+    seeds = {453, 501,            // collapses of ears that touch other faces in their tips
+             40196};              // two triangles with the same corners
   for(unsigned i = 0; i < number; ++i)
     seeds.push_back(first + i);
   unsigned accepted = 0, failed = 0, slowest = first;
