@@ -55,6 +55,7 @@ class Worst_face_hunt
   struct Plan
   {
     bool has_to_be_free = false;        // of intersections
+    bool is_shape_first = false;
     Kind kind = NOTHING;
     Worth after{-1., 0.};
     halfedge_descriptor halfedge = {};
@@ -76,6 +77,9 @@ class Worst_face_hunt
   // A vertex of a long protected edge may have hundreds of faces, all of them bad: what looks at pairs of its
   // edges is not tried there.
   static constexpr std::size_t largest_degree = 24;
+  // of a triangle with an angle of five degrees, the normal of which turns by forty when a vertex moves by a
+  // fourteenth of its length
+  static constexpr double needle_quality = 0.1;
 
 public:
   // Faces with a better score, or with a better quality, are not worth a search.
@@ -106,7 +110,7 @@ public:
         continue;                       // has been replaced
       m_mesh.start_log();
       // the best operation is free as a rule; not all are asked for intersections before there is a need
-      if(execute(best_plan(h, false)) || execute(best_plan(h, true)))
+      if(execute(best_plan(h, false)) || execute(best_plan(h, true)) || execute(best_plan(h, true, true)))
       {
         ++number;
         push_changed();
@@ -179,12 +183,15 @@ private:
   }
 
   // tries everything at a face
-  Plan best_plan(const halfedge_descriptor h, const bool has_to_be_free) const
+  Plan best_plan(const halfedge_descriptor h, const bool has_to_be_free, const bool is_shape_first = false) const
   {
     const auto& tm = m_mesh.tmesh();
     const std::array<halfedge_descriptor, 3> sides = {{h, next(h, tm), prev(h, tm)}};
     Plan plan;
     plan.has_to_be_free = has_to_be_free;
+    plan.is_shape_first = is_shape_first;
+    if(is_shape_first && face_worth(m_mesh, h).quality >= needle_quality)
+      return plan;
     for(const halfedge_descriptor side : sides)
     {
       plan_flip(side, plan);
@@ -204,12 +211,19 @@ private:
     return plan;
   }
 
+  // The normal of a needle says little. Where no score can be raised a triangle of twice its quality may take its place,
+  // however far from the model's normal, as long as it is not turned over.
   static bool improves(const Worth& after, const Worth& before, const Plan& plan)
-  { return is_better(after, before) && after.score > plan.after.score + score_margin; }
+  {
+    return plan.is_shape_first ? before.quality < needle_quality && after.score > (std::min)(0., before.score)
+                                 && after.quality > (std::max)(2. * before.quality, plan.after.quality) + score_margin
+                               : is_better(after, before) && after.score > plan.after.score + score_margin;
+  }
 
   void offer(Plan candidate, Plan& plan) const
   {
     candidate.has_to_be_free = plan.has_to_be_free;
+    candidate.is_shape_first = plan.is_shape_first;
     if(!plan.has_to_be_free || is_free(candidate))
       plan = candidate;
   }
@@ -220,7 +234,7 @@ private:
       return;
     const Worth after = worth_after_flip(m_mesh, h);
     if(improves(after, worth_of_pair(m_mesh, h), plan))
-      offer({false, FLIP, after, h}, plan);
+      offer({false, false, FLIP, after, h}, plan);
   }
 
   void plan_relocation(const vertex_descriptor v, Plan& plan) const
@@ -232,7 +246,7 @@ private:
     const Site site = better_site(m_mesh, v, star);
     const Worth after = star.worth(site);
     if(improves(after, star.worth(m_mesh.site(v)), plan))
-      offer({false, RELOCATION, after, halfedge(v, m_mesh.tmesh()), v, site}, plan);
+      offer({false, false, RELOCATION, after, halfedge(v, m_mesh.tmesh()), v, site}, plan);
   }
 
   void plan_collapse(const halfedge_descriptor h, Plan& plan) const
@@ -250,7 +264,7 @@ private:
     {
       const Worth after = star.worth(site);
       if(improves(after, before, plan) && are_edges_acceptable_after_collapse(m_mesh, h, site, longest_length))
-        offer({false, COLLAPSE, after, h, t, site}, plan);
+        offer({false, false, COLLAPSE, after, h, t, site}, plan);
     }
   }
 
@@ -272,7 +286,7 @@ private:
       site = star.better_site(site);
     const Worth after = star.worth(site);
     if(improves(after, before, plan))
-      offer({false, SPLIT, after, h, target(h, tm), site}, plan);
+      offer({false, false, SPLIT, after, h, target(h, tm), site}, plan);
   }
 
   template <typename Removal, typename Element>
@@ -281,7 +295,7 @@ private:
     Removal removal;
     const Worth after = removal.plan(m_mesh, element);
     if(improves(after, before, plan))
-      offer({false, REMOVAL, after, {}, {}, {}, removal}, plan);
+      offer({false, false, REMOVAL, after, {}, {}, {}, removal}, plan);
   }
 
   void plan_removals(const halfedge_descriptor h, Plan& plan) const
@@ -338,13 +352,13 @@ private:
   void plan_site(const halfedge_descriptor h, const vertex_descriptor v, const Star& star,
                  const Worth& before, const Worth& rest, Plan& plan) const
   {
-    if(rest.score <= (std::max)(before.score, plan.after.score))
+    if(!plan.is_shape_first && rest.score <= (std::max)(before.score, plan.after.score))
       return;
     const Site site = star.better_site(m_mesh.site(v));
     Worth after = star.worth(site);
     after.add(rest);
     if(improves(after, before, plan))
-      offer({false, FLIP_AND_RELOCATION, after, h, v, site}, plan);
+      offer({false, false, FLIP_AND_RELOCATION, after, h, v, site}, plan);
   }
 
   bool is_free(const Plan& plan) const
