@@ -271,6 +271,11 @@ private:
         continue;
       m_mesh.give_up_if_stopped();
       const Site& site = m_mesh.data(v).site;
+      if(site.curve == -1)
+      {
+        count(0.);
+        continue;
+      }
       const Reference::Nearest nearest = m_mesh.reference().nearest(site.point, site.location, tolerance);
       count(nearest.distance);
       add(site.point, nearest.distance, nearest.location, {index_at(h)});

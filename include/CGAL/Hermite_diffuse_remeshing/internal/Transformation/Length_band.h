@@ -36,11 +36,18 @@ class Length_band
   static constexpr double off_simple_ratios = 1.00137;
 
 public:
+  // for a mesh that has not to be split any more, but has irregular vertices
+  static constexpr int first_tight_pass = 1;
+  // for one that has been through the tight passes at a coarser level
+  static constexpr int first_wide_pass = number_of_tight_passes + 1;
   // those before it tighten and widen the band
   static constexpr int first_mending_pass = 1000;
 
   static double longest(const int pass) { return band_center * band(pass); }
   static double shortest(const int pass) { return band_center / band(pass); }
+
+  // of the edges of a coarser level, which are about twice as long as their sizes; nearly all of them are to be split
+  static double longest_before_refinement() { return off_simple_ratios * 1.45; }
 
 private:
   static double band(const int pass)

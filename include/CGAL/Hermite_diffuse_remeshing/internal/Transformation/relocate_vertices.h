@@ -150,7 +150,7 @@ template <typename UserMesh>
 std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   // of the badness: a smaller gain is not worth a move, and the sweeps come to rest
-  constexpr double least_gain = 0.01;
+  constexpr double least_gain = 0.02;
   const std::size_t before = mesh.counts().relocations;
   for(const auto v : movable_vertices(mesh, since))
   {
