@@ -65,7 +65,8 @@ bool is_split_topologically_legal(const Working_mesh<UserMesh>& mesh,
 }
 
 // May the edge be split at the site? None of the triangles it makes may be turned over, and none
-// may be thinner than halving a triangle explains.
+// may be thinner than halving a triangle explains. Long strips between features consist of needles before they are
+// split: where their normals are still right, their shape does not matter.
 template <typename UserMesh>
 bool is_split_legal(const Working_mesh<UserMesh>& mesh,
                     const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
@@ -74,6 +75,7 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
     return false;
   // the two halves of a good triangle have two thirds of its quality or more
   constexpr double share_of_half = 0.4;
+  constexpr double least_score_of_half = 1e-4;
   const auto& tm = mesh.tmesh();
   const Reference& reference = mesh.reference();
   Worth before, after;
@@ -84,8 +86,8 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
     after.add(worth(reference, mesh.site(source(side, tm)), site, opposite_site, mesh.hint(side)));
     after.add(worth(reference, site, mesh.site(target(side, tm)), opposite_site, mesh.hint(side)));
   }
-  return after.score > least_score ? after.score >= (std::min)(score_floor, share_of_half * before.score)
-                                   : after.score > before.score + score_margin;
+  return after.score > least_score_of_half ? after.score >= (std::min)(score_floor, share_of_half * before.score)
+                                           : after.score > before.score + score_margin;
 }
 
 // Splits the edges that are longer than `bound` times their size, or too far from their feature curve, each once, the
