@@ -19,14 +19,8 @@ endforeach()
 add_test(NAME source_exact_kernel
   COMMAND ${_check} exact_kernel "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})
 
-file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
-  include/*.h examples/*.cpp benchmark/*.cpp)
-if(NOT CGAL_Qt5_FOUND AND NOT CGAL_Qt6_FOUND)
-  list(FILTER _sources EXCLUDE REGEX "/draw_")
-endif()
-# These call what the benchmarks call too, and the build has compiled them.
-list(FILTER _sources EXCLUDE REGEX
-  "/(hermite_diffuse_(remesh|remesh_region|features|polyhedron|visitor|volume_mesh)|adaptive_finite_elements)_example")
+# Not the examples: the build has compiled them, and they call what the benchmarks call.
+file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" include/*.h benchmark/*.cpp)
 foreach(_source ${_sources})
   string(MAKE_C_IDENTIFIER "${_source}" _name)
   add_test(NAME "alone_${_name}"
