@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Triangle_tree.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_targets.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
 #include <algorithm>
@@ -69,6 +70,13 @@ class Deviation_meter
   std::vector<char> m_is_new;           // of the faces: has to be measured
   double m_sum = 0.;
   std::size_t m_number = 0;
+
+  // between a point of the mesh and the reference
+  struct Distance
+  {
+    Vector point = Vector::Zero();
+    Reference::Nearest nearest;
+  };
 
   // relative to the local size; a deviation needs two digits
   static constexpr double tolerance = 1e-3;
@@ -172,43 +180,54 @@ private:
       }
   }
 
-  void count(const double deviation)
+  // Measures at places of the mesh, `measure(place)` in several threads, and enters the results in the order of the
+  // places.
+  template <typename Place, typename Measure, typename Enter>
+  void measure_at(const std::vector<Place>& places, const Measure& measure, const Enter& enter) const
   {
-    m_sum += deviation;
-    ++m_number;
+    propose_and_accept(m_mesh, places.begin(), places.end(), measure,
+                       [&](const Place& place, const auto& result, std::size_t) { enter(place, result); });
+    m_mesh.give_up_if_stopped();
   }
 
-  void add(const Vector& p, const double deviation, const Location& location,
-           const std::initializer_list<int> at_faces, const bool is_on_protected_edge = false)
+  void add(const Distance& distance, const std::initializer_list<int> at_faces, const bool is_on_protected_edge = false)
   {
     for(const int f : at_faces)
-      if(f != -1 && deviation >= m_deviations.faces[f].deviation)
+      if(f != -1 && distance.nearest.distance >= m_deviations.faces[f].deviation)
       {
         Face_deviation<face_descriptor>& entry = m_deviations.faces[f];
-        entry.deviation = deviation;
-        entry.point = p;
-        entry.location = location;
+        entry.deviation = distance.nearest.distance;
+        entry.point = distance.point;
+        entry.location = distance.nearest.location;
         entry.is_on_protected_edge = is_on_protected_edge;
       }
+  }
+
+  // of a point of the mesh, which counts for the mean
+  void add_and_count(const Distance& distance, const std::initializer_list<int> at_faces,
+                     const bool is_on_protected_edge = false)
+  {
+    m_sum += distance.nearest.distance;
+    ++m_number;
+    add(distance, at_faces, is_on_protected_edge);
   }
 
   // Newton's method starts from the facet's point that is closest. Where the surface is steep over its
   // facets it may end at another part of the surface: before a point counts as too far away, the
   // locations of the vertices around it are tried.
-  void add_projection(const Vector& p, const halfedge_descriptor h, const std::initializer_list<int> at_faces)
+  Distance distance_of_facet_point(const Vector& p, const halfedge_descriptor h) const
   {
     const Reference& reference = m_mesh.reference();
     const TriangleMesh& tm = m_mesh.tmesh();
-    Reference::Nearest nearest = reference.nearest(p, reference.locator.walk(p, m_mesh.hint(h)), tolerance);
-    if(nearest.distance > m_bound)
+    Distance result{p, reference.nearest(p, reference.locator.walk(p, m_mesh.hint(h)), tolerance)};
+    if(result.nearest.distance > m_bound)
       for(const auto v : {source(h, tm), target(h, tm), target(next(h, tm), tm)})
       {
         const Reference::Nearest other = reference.nearest(p, m_mesh.data(v).site.location, tolerance);
-        if(other.distance < nearest.distance)
-          nearest = other;
+        if(other.distance < result.nearest.distance)
+          result.nearest = other;
       }
-    count(nearest.distance);
-    add(p, nearest.distance, nearest.location, at_faces);
+    return result;
   }
 
   int index_at(const halfedge_descriptor h) const
@@ -219,67 +238,66 @@ private:
 
   void measure_centroids()
   {
-    const TriangleMesh& tm = m_mesh.tmesh();
+    std::vector<int> new_faces;
     for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
+      if(m_is_new[i])
+        new_faces.push_back(static_cast<int>(i));
+    measure_at(new_faces, [&](const int i)
     {
-      if(!m_is_new[i])
-        continue;
-      m_mesh.give_up_if_stopped();
-      const halfedge_descriptor h = halfedge(m_deviations.faces[i].face, tm);
-      add_projection((m_mesh.point(source(h, tm)) + m_mesh.point(target(h, tm))
-                      + m_mesh.point(target(next(h, tm), tm))) / 3.,
-                     h, {static_cast<int>(i)});
-    }
+      const std::array<Vector, 3> corners = m_mesh.triangle(m_deviations.faces[i].face).points;
+      return distance_of_facet_point((corners[0] + corners[1] + corners[2]) / 3.,
+                                     halfedge(m_deviations.faces[i].face, m_mesh.tmesh()));
+    }, [&](const int i, const Distance& distance) { add_and_count(distance, {i}); });
   }
 
   void measure_edges()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
+    std::vector<halfedge_descriptor> new_edges;
     for(const auto e : edges(tm))
     {
-      halfedge_descriptor h = halfedge(e, tm);
-      if(m_mesh.is_border_or_outside(h))
-        h = opposite(h, tm);
-      const int f = index_at(h), g = index_at(opposite(h, tm));
-      if(!is_new(f) && !is_new(g))
-        continue;
-      m_mesh.give_up_if_stopped();
+      const halfedge_descriptor h = m_mesh.is_border_or_outside(halfedge(e, tm)) ? opposite(halfedge(e, tm), tm)
+                                                                                 : halfedge(e, tm);
+      if(is_new(index_at(h)) || is_new(index_at(opposite(h, tm))))
+        new_edges.push_back(h);
+    }
+    measure_at(new_edges, [&](const halfedge_descriptor h)
+    {
       const auto s = source(h, tm), t = target(h, tm);
       const Vector p = (m_mesh.point(s) + m_mesh.point(t)) / 2.;
       const int curve = m_mesh.curve(h);
       if(curve == -1)
-      {
-        add_projection(p, h, {f, g});
-        continue;
-      }
+        return distance_of_facet_point(p, h);
       const Site site = m_mesh.reference().curve_site(curve, (m_mesh.parameter(s, curve)
                                                              + m_mesh.parameter(t, curve)) / 2.);
-      count((site.point - p).norm());
-      add(p, (site.point - p).norm(), site.location, {f, g}, m_mesh.is_protected(h));
-    }
+      return Distance{p, {site.location, (site.point - p).norm()}};
+    }, [&](const halfedge_descriptor h, const Distance& distance)
+    {
+      add_and_count(distance, {index_at(h), index_at(opposite(h, tm))}, m_mesh.is_on_curve(h) && m_mesh.is_protected(h));
+    });
   }
 
   void measure_vertices()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
+    std::vector<halfedge_descriptor> new_vertices;      // a halfedge to each
     for(const auto v : vertices(tm))
     {
       if(m_mesh.index(v) == -1)
         continue;
       const halfedge_descriptor h = first_remeshed_halfedge(m_mesh, v);
-      if(h == Mesh::Graph_traits::null_halfedge() || !is_new(index_at(h)))
-        continue;
-      m_mesh.give_up_if_stopped();
-      const Site& site = m_mesh.data(v).site;
-      const Reference::Nearest nearest = m_mesh.reference().nearest(site.point, site.location, tolerance);
-      count(nearest.distance);
-      add(site.point, nearest.distance, nearest.location, {index_at(h)});
+      if(h != Mesh::Graph_traits::null_halfedge() && is_new(index_at(h)))
+        new_vertices.push_back(h);
     }
+    measure_at(new_vertices, [&](const halfedge_descriptor h)
+    {
+      const Site& site = m_mesh.site(target(h, tm));
+      return Distance{site.point, m_mesh.reference().nearest(site.point, site.location, tolerance)};
+    }, [&](const halfedge_descriptor h, const Distance& distance) { add_and_count(distance, {index_at(h)}); });
   }
 
   void measure_targets()
   {
-    const TriangleMesh& tm = m_mesh.tmesh();
     Indexed_triangles facets;
     std::vector<int> index_of_facet;
     for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
@@ -287,30 +305,27 @@ private:
       if(!m_is_new[i])
         continue;
       m_mesh.give_up_if_stopped();
-      std::array<int, 3> triangle;
-      halfedge_descriptor h = halfedge(m_deviations.faces[i].face, tm);
-      for(int k = 0; k < 3; ++k, h = next(h, tm))
-      {
-        triangle[k] = facets.number_of_vertices();
-        facets.points.push_back(m_mesh.point(source(h, tm)));
-      }
-      facets.triangles.push_back(triangle);
+      const int first = facets.number_of_vertices();
+      for(const Vector& p : m_mesh.triangle(m_deviations.faces[i].face).points)
+        facets.points.push_back(p);
+      facets.triangles.push_back({{first, first + 1, first + 2}});
       index_of_facet.push_back(static_cast<int>(i));
     }
     if(index_of_facet.empty())
       return;
     const Triangle_tree tree(facets, progress());
+    std::vector<Deviation_target*> lost_targets;
     for(Deviation_target& target : m_targets.targets())
+      if(target.face == -1)
+        lost_targets.push_back(&target);
+    measure_at(lost_targets, [&](const Deviation_target* const target) { return tree.closest(target->point); },
+               [&](Deviation_target* const target, const std::pair<int, Vector>& closest)
     {
-      if(target.face != -1)
-        continue;
-      m_mesh.give_up_if_stopped();
-      const std::pair<int, Vector> closest = tree.closest(target.point);
-      target.face = index_of_facet[closest.first];
-      const double distance = (closest.second - target.point).norm();
-      add(target.point, distance, target.location, {target.face},
-          distance > m_bound && is_on_protected_edge(closest.second, m_deviations.faces[target.face].face));
-    }
+      target->face = index_of_facet[closest.first];
+      const double distance = (closest.second - target->point).norm();
+      add({target->point, {target->location, distance}}, {target->face},
+          distance > m_bound && is_on_protected_edge(closest.second, m_deviations.faces[target->face].face));
+    });
   }
 
   bool is_on_protected_edge(const Vector& p, const face_descriptor f) const
