@@ -53,6 +53,15 @@ public:
   bool is_leaf(const int c) const { return m_cells[c].split_side == -1; }
   void set_probed(const int c) { m_cells[c].is_probed = true; }
 
+  std::vector<std::array<int, 3> > samples_of_leaves() const
+  {
+    std::vector<std::array<int, 3> > result;
+    for(const Cell& cell : m_cells)
+      if(cell.split_side == -1)
+        result.push_back(cell.samples);
+    return result;
+  }
+
   // the leaf at a location, and the coordinates in it
   std::pair<int, Barycentric> leaf(const Location& location) const
   {

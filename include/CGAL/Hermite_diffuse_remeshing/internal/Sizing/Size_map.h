@@ -16,6 +16,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Frozen_lengths.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_samples.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/coarsen_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
@@ -45,6 +46,7 @@ class Size_map
   Bisection_tree m_cells;
   Size_samples m_samples;                 // first the vertices of the reference
   std::vector<double> m_sizes;            // after gradation
+  std::vector<double> m_fine_sizes;       // those that were asked for, while coarser ones are in their place
   std::vector<double> m_area_ratios;      // of the surface over the faces
   Pair_map<int> m_middles;
   Curve_sizes m_curve_sizes;
@@ -189,6 +191,18 @@ public:
     }
   }
 
+  // Makes the sizes coarser than asked for by a factor, for a mesh that is to be refined; 1: as asked for.
+  void set_coarseness(const double factor)
+  {
+    if(m_fine_sizes.empty())
+      m_fine_sizes = m_sizes;
+    m_sizes = factor == 1. ? std::move(m_fine_sizes)
+            : coarsened_sizes(m_fine_sizes, m_samples, m_cells.samples_of_leaves(), factor,
+                              m_sources.options().gradation, m_progress);
+    if(factor == 1.)
+      m_fine_sizes.clear();
+  }
+
   // that an edge of a size may have over a feature curve
   double largest_sagitta(const double size) const { return m_scale * m_sources.largest_sagitta(size); }
 
@@ -216,43 +230,35 @@ private:
         is_done[v] = true;
       }
     }
-    std::vector<double> sizes(surface.cut_mesh().number_of_nodes(), std::numeric_limits<double>::infinity());
+    std::vector<double> curvatures(surface.cut_mesh().number_of_nodes(), 0.);
     for_each_index(surface.cut_mesh().number_of_nodes(), is_parallel(), [&]
     {
       return [&](const int i)
       {
         if(!surface.node(i).is_singular)
-          sizes[i] = m_sources.of_node(i);
+          curvatures[i] = m_sources.largest_curvature(i);
       };
     }, m_progress.part(0., 0.));
     for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i)
-      lower(surface.cut_mesh().vertex(i), sizes[i]);
+      if(!surface.node(i).is_singular)
+        lower_by_curvature(surface.cut_mesh().vertex(i), curvatures[i]);
     for(const Feature_curve& curve : curves.curves)
       for(std::size_t i = 0; i < curve.vertices.size(); ++i)
-        lower(curve.vertices[i], m_sources.of_curvature(curve.spline.curvature_at_point(static_cast<int>(i))));
+        lower_by_curvature(curve.vertices[i], curve.spline.curvature_at_point(static_cast<int>(i)));
   }
 
   void lower(const int sample, const double size) { m_samples.lower(sample, m_sources.clamped(size)); }
+  void lower_by_curvature(const int sample, const double curvature)
+  {
+    m_samples.lower_radius(sample, curvature);
+    lower(sample, m_sources.of_curvature(curvature));
+  }
   void lower_user_size(const int sample, const double size)
   {
     m_samples.lower_user_size(sample, m_sources.clamped(size));
   }
 
   void bisect(const int c, const int k) { m_cells.bisect(c, k, middle_of_side(m_cells[c], k)); }
-
-  Location location_of(const Cell& cell, const Vector& p) const
-  {
-    const Indexed_triangles& triangles = m_sources.triangles();
-    const Vector n = triangles.area_vector(cell.face);
-    const double area2 = n.squaredNorm();
-    Location location;
-    location.face = cell.face;
-    if(area2 > 0.)
-      for(int k = 0; k < 3; ++k)
-        location.coordinates[k] = (std::max)(0., (triangles.point(cell.face, next(k)) - p)
-                                   .cross(triangles.point(cell.face, previous(k)) - p).dot(n) / area2);
-    return location;
-  }
 
   // The sample at the middle of a side, made on demand and shared by the cells at the side. Each of them
   // adds what it knows: a feature has a surface at each side, and a field of the user per face has two
@@ -279,7 +285,7 @@ private:
     const bool is_user_asked = m_sources.has_user_size() && (is_new || m_sources.options().is_user_size_local);
     if(is_new || is_on_curve || is_user_asked)
     {
-      const Location location = location_of(cell, m_samples.position(sample));
+      const Location location = location_on_facet(m_sources.triangles(), cell.face, m_samples.position(sample));
       if(is_new || is_on_curve)
         lower(sample, m_sources.of_surface(location));
       if(is_user_asked)
@@ -352,7 +358,7 @@ private:
           p += l[m] * m_samples.position(cell.samples[m]);
           interpolated += l[m] * s[m];
         }
-        const double size = m_sources.of_user(p, location_of(cell, p));
+        const double size = m_sources.of_user(p, location_on_facet(m_sources.triangles(), cell.face, p));
         if(size * (1. + size_tolerance) < interpolated && length > sides_per_size * size)
           return true;
       }
@@ -373,10 +379,7 @@ private:
       std::fill(m_sizes.begin(), m_sizes.end(), *std::min_element(m_sizes.begin(), m_sizes.end()));
       return;
     }
-    std::vector<std::array<int, 3> > leaves;
-    for(int c = 0; c < m_cells.number_of_cells(); ++c)
-      if(m_cells.is_leaf(c))
-        leaves.push_back(m_cells[c].samples);
+    const std::vector<std::array<int, 3> > leaves = m_cells.samples_of_leaves();
     const auto position = [this](const int i) -> const Vector& { return m_samples.position(i); };
     limit_gradation(leaves, position, slope_of_gradation(m_sources.options().gradation), m_sizes, m_progress);
     if(!m_frozen.is_empty())

@@ -31,6 +31,7 @@ class Size_samples
     double own_size;                      // of curvature, user and bounds, before gradation
     double user_size;                     // the user's part of it
     double cap;                           // asked for later
+    double radius;                        // of curvature
   };
 
   std::vector<Sample> m_samples;
@@ -48,14 +49,16 @@ public:
 
   void add(const Vector& position, const double size)
   {
-    m_samples.push_back({position, size, size, std::numeric_limits<double>::infinity()});
+    m_samples.push_back({position, size, size, std::numeric_limits<double>::infinity(),
+                         std::numeric_limits<double>::infinity()});
   }
 
-  // between two others; caps are linear there
+  // between two others; caps and radii are linear there
   void add_middle(const int a, const int b, const double size)
   {
     add((m_samples[a].position + m_samples[b].position) / 2., size);
     m_samples.back().cap = (m_samples[a].cap + m_samples[b].cap) / 2.;
+    m_samples.back().radius = (m_samples[a].radius + m_samples[b].radius) / 2.;
   }
 
   void lower(const int i, const double size)
@@ -74,6 +77,13 @@ public:
 
   double cap(const int i) const { return m_samples[i].cap; }
   void lower_cap(const int i, const double size) { m_samples[i].cap = (std::min)(m_samples[i].cap, size); }
+
+  double radius(const int i) const { return m_samples[i].radius; }
+  void lower_radius(const int i, const double curvature)
+  {
+    if(curvature * m_samples[i].radius > 1.)
+      m_samples[i].radius = 1. / curvature;
+  }
 
   // before gradation; `scale`: of the own size
   double asked_size(const int i, const double scale) const

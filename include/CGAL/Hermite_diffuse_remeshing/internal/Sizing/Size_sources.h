@@ -96,8 +96,14 @@ public:
   {
     if(!is_curvature_used())
       return std::numeric_limits<double>::infinity();
+    return of_curvature(largest_curvature(location));
+  }
+
+  // of the surface
+  double largest_curvature(const Location& location) const
+  {
     const std::pair<double, double> k = m_surface.evaluate(location).monge_form().curvatures();
-    return of_curvature((std::max)(std::abs(k.first), std::abs(k.second)));
+    return (std::max)(std::abs(k.first), std::abs(k.second));
   }
 
   double of_user(const Vector& p, const Location& location) const
@@ -112,21 +118,21 @@ public:
   }
 
   // The one-sided fit at the end of a fan of faces is the least certain of the model: at an open
-  // node the mean curvature in its faces is taken.
-  double of_node(const int node) const
+  // node the mean in its faces is taken.
+  double largest_curvature(const int node) const
   {
     const Index_range corners = m_surface.cut_mesh().corners(node);
     if(!m_surface.cut_mesh().is_open(node))
-      return of_surface(location_of_corner(corners.first[0]));
+      return largest_curvature(location_of_corner(corners.first[0]));
     double sum = 0.;
     Location location;
     location.coordinates.fill(1. / 3.);
     for(const int c : corners)
     {
       location.face = c / 3;
-      sum += 1. / of_surface(location);
+      sum += largest_curvature(location);
     }
-    return corners.size() / sum;
+    return sum / corners.size();
   }
 
   static Location location_of_corner(const int corner)

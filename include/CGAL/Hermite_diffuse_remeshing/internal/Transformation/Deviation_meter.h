@@ -280,13 +280,17 @@ private:
   void measure_vertices()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
-    std::vector<halfedge_descriptor> new_vertices;      // a halfedge to each
+    std::vector<halfedge_descriptor> new_vertices;      // of curves; a halfedge to each
     for(const auto v : vertices(tm))
     {
       if(m_mesh.index(v) == -1)
         continue;
       const halfedge_descriptor h = first_remeshed_halfedge(m_mesh, v);
-      if(h != Mesh::Graph_traits::null_halfedge() && is_new(index_at(h)))
+      if(h == Mesh::Graph_traits::null_halfedge() || !is_new(index_at(h)))
+        continue;
+      if(m_mesh.site(v).curve == -1)
+        ++m_number;                     // on the model
+      else
         new_vertices.push_back(h);
     }
     measure_at(new_vertices, [&](const halfedge_descriptor h)

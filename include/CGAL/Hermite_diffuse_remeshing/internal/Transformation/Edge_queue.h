@@ -48,6 +48,15 @@ inline int urgency_level(const double relative_length)
 }
 
 // The edges that `is_candidate` takes, sorted: the longest first for direction 1, the shortest for -1.
+template <typename Mesh>
+void sort_queue(std::vector<Queued_edge<Mesh> >& queue)
+{
+  std::sort(queue.begin(), queue.end());
+  // the copies of an edge of a junction are changed together
+  queue.erase(std::unique(queue.begin(), queue.end(), [](const Queued_edge<Mesh>& a, const Queued_edge<Mesh>& b)
+                          { return a.key == b.key; }), queue.end());
+}
+
 template <typename UserMesh, typename IsCandidate>
 std::vector<Queued_edge<Working_mesh<UserMesh> > >
 collect_edges(const Working_mesh<UserMesh>& mesh, const int direction, const IsCandidate& is_candidate)
@@ -62,14 +71,10 @@ collect_edges(const Working_mesh<UserMesh>& mesh, const int direction, const IsC
     if(!mesh.is_inside(e))
       continue;
     const typename Mesh::halfedge_descriptor h = halfedge(e, mesh.tmesh());
-    const double length = mesh.relative_length(h);
-    if(is_candidate(h, length))
-      queue.push_back({h, direction * urgency_level(length), mesh.edge_key(h)});
+    if(is_candidate(h))
+      queue.push_back({h, direction * urgency_level(mesh.relative_length(h)), mesh.edge_key(h)});
   }
-  std::sort(queue.begin(), queue.end());
-  // the copies of an edge of a junction are changed together
-  queue.erase(std::unique(queue.begin(), queue.end(), [](const Queued_edge<Mesh>& a, const Queued_edge<Mesh>& b)
-                          { return a.key == b.key; }), queue.end());
+  sort_queue(queue);
   return queue;
 }
 

@@ -36,11 +36,16 @@ class Length_band
   static constexpr double off_simple_ratios = 1.00137;
 
 public:
+  // The mesh of a coarser level has been through the tight passes: its halved edges are in a wider band.
+  static constexpr int first_pass_after_refinement = 6;
   // those before it tighten and widen the band
   static constexpr int first_mending_pass = 1000;
 
   static double longest(const int pass) { return band_center * band(pass); }
   static double shortest(const int pass) { return band_center / band(pass); }
+
+  // of the edges of a coarser level, which are about twice as long as their sizes; nearly all of them are to be split
+  static double longest_before_refinement() { return off_simple_ratios * 1.45; }
 
 private:
   static double band(const int pass)

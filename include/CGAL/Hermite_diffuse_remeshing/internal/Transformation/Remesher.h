@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Length_band.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/coarse_levels.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/collapse_short_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/mesh_statistics.h>
@@ -56,7 +57,7 @@ public:
   Stop_reason adapt()
   {
     if(!is_adapted(m_mesh))
-      return run_passes(0, m_maximum_number_of_iterations, 0);
+      return adapt_from_coarse_to_fine();
     // only edges that are far off are treated, and what changes around them
     m_flipped_at = m_balanced_at = m_improved_at = m_mesh.number_of_changes();
     return run_passes(Length_band::first_mending_pass, m_maximum_number_of_iterations, 0);
@@ -75,7 +76,7 @@ public:
     for(int i = 0; i < maximum_number_of_optimisation_passes; ++i)
     {
       std::size_t changes =
-        since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_SCORE, since); });
+        since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_score(m_mesh, since); });
       changes += since_last(m_improved_at, [&](const std::size_t since) { return improve_vertices(m_mesh, since); });
       m_mesh.report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
       if(m_mesh.is_stopped() || is_negligible(changes, since_change))
@@ -95,6 +96,27 @@ public:
   }
 
 private:
+  // A mesh with large sizes costs little, and the edges that halve its own make good triangles of good ones: what is
+  // left to do at every finer level is to move vertices a little.
+  Stop_reason adapt_from_coarse_to_fine()
+  {
+    int level = coarsest_level(m_mesh);
+    set_level(m_mesh, level);
+    Stop_reason reason = run_passes(0, m_maximum_number_of_iterations, 0);
+    while(level > 0 && reason != STOPPED_BY_VISITOR)
+    {
+      optimise(reason);
+      m_number_of_iterations = 0;
+      set_level(m_mesh, --level);
+      split_long_edges_once(m_mesh, Length_band::longest_before_refinement(), 0);
+      // of the four parts of a triangle three meet at a middle that the last split has not joined
+      since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_valence(m_mesh, since); });
+      reason = run_passes(Length_band::first_pass_after_refinement, m_maximum_number_of_iterations, 0);
+    }
+    set_level(m_mesh, 0);
+    return reason;
+  }
+
   Stop_reason run_passes(const int first_iteration, const int number_of_iterations, const std::size_t since_change)
   {
     Stop_reason reason = ITERATION_BOUND;
@@ -104,7 +126,7 @@ private:
       const double longest = Length_band::longest(i), shortest = Length_band::shortest(i);
       std::size_t changes = split_long_edges(m_mesh, longest, since_change);
       changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
-      changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges(m_mesh, BY_VALENCE, since); });
+      changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_valence(m_mesh, since); });
       since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
       if(changes > considerable_part * m_mesh.number_of_faces())
         update_hints();

@@ -186,7 +186,7 @@ std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_c
   // ends as descriptors and numbers: a collapse of a neighbour may have removed the edge
   struct Candidate { vertex_descriptor source, target; std::pair<int, int> key; };
   std::vector<Candidate> queue;
-  for(const auto& e : collect_edges(mesh, -1, [&](const halfedge_descriptor h, double) { return is_candidate(h); }))
+  for(const auto& e : collect_edges(mesh, -1, is_candidate))
     queue.push_back({source(e.halfedge, mesh.tmesh()), target(e.halfedge, mesh.tmesh()), e.key});
 
   std::vector<char> is_removed(mesh.number_of_vertex_slots(), false);

@@ -12,20 +12,23 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// What is best for a flip: that the worse triangle is better, or that the vertices have about the number
-// of triangles that fit their angle, so that relocation can make them equilateral.
-enum Flip_criterion { BY_SCORE, BY_VALENCE };
+// The quality of the halves of a square, for both of its diagonals: two triangles that are both better than these
+// have no better diagonal.
+constexpr double quality_of_square = 0.7175;
 
 // How many triangles the part of the surface between two curves has at the target of h, more than fit
 // into the angle there; 0 is best. Six fit around a vertex inside the surface.
@@ -88,25 +91,74 @@ bool is_flip_topologically_legal(const Working_mesh<UserMesh>& mesh,
   return c != d && !mesh.are_joined(c, d);
 }
 
-// the change of the sum of squares of the excesses
+// Excesses of faces, which flips ask for again and again. Those of vertices inside the surface are remembered, and
+// follow the flips.
 template <typename UserMesh>
-int valence_gain(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+class Face_excesses
 {
-  const auto& tm = mesh.tmesh();
-  const auto o = opposite(h, tm);
-  int gain = 0;
-  for(const auto g : {h, o})                       // loses a triangle
+  typedef Working_mesh<UserMesh> Mesh;
+  typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
+
+  const Mesh& m_mesh;
+  std::vector<int> m_excesses;          // by the number of the vertex
+
+  static constexpr int unknown = (std::numeric_limits<int>::max)();
+
+public:
+  explicit Face_excesses(const Mesh& mesh) : m_mesh(mesh), m_excesses(mesh.number_of_vertex_slots(), unknown) {}
+
+  // the change of the sum of squares of the excesses by the flip of an edge
+  int gain_of_flip(const halfedge_descriptor h) const
   {
-    const int excess = excess_of_faces(mesh, g);
-    gain += CGAL::square(excess) - CGAL::square(excess - 1);
+    const auto& tm = m_mesh.tmesh();
+    const halfedge_descriptor o = opposite(h, tm);
+    int gain = 0;
+    for(const halfedge_descriptor g : {h, o})                     // loses a triangle
+      gain += 2 * excess(g) - 1;
+    for(const halfedge_descriptor g : {next(h, tm), next(o, tm)}) // gets one
+      gain -= 2 * excess(g) + 1;
+    return gain;
   }
-  for(const auto g : {next(h, tm), next(o, tm)})   // gets one
+
+  // before the flip
+  void follow_flip(const halfedge_descriptor h)
   {
-    const int excess = excess_of_faces(mesh, g);
-    gain += CGAL::square(excess) - CGAL::square(excess + 1);
+    const auto& tm = m_mesh.tmesh();
+    const halfedge_descriptor o = opposite(h, tm);
+    for(const halfedge_descriptor g : {h, o})
+      change(g, -1);
+    for(const halfedge_descriptor g : {next(h, tm), next(o, tm)})
+      change(g, 1);
   }
-  return gain;
-}
+
+  // the same, for the first time: what it finds is remembered
+  int first_gain_of_flip(const halfedge_descriptor h)
+  {
+    const auto& tm = m_mesh.tmesh();
+    const halfedge_descriptor o = opposite(h, tm);
+    for(const halfedge_descriptor g : {h, o, next(h, tm), next(o, tm)})
+    {
+      int& excess = m_excesses[m_mesh.index(target(g, tm))];
+      if(excess == unknown && m_mesh.data(target(g, tm)).type == SURFACE_VERTEX)
+        excess = excess_of_faces(m_mesh, g);
+    }
+    return gain_of_flip(h);
+  }
+
+private:
+  int excess(const halfedge_descriptor h) const
+  {
+    const int result = m_excesses[m_mesh.index(target(h, m_mesh.tmesh()))];
+    return result == unknown ? excess_of_faces(m_mesh, h) : result;
+  }
+
+  void change(const halfedge_descriptor h, const int difference)
+  {
+    int& excess = m_excesses[m_mesh.index(target(h, m_mesh.tmesh()))];
+    if(excess != unknown)
+      excess += difference;
+  }
+};
 
 // the two faces of an edge, now and with the other diagonal
 template <typename UserMesh>
@@ -129,20 +181,35 @@ Worth worth_after_flip(const Working_mesh<UserMesh>& mesh, const typename Workin
   return result;
 }
 
+// Flips edges one after the other where `is_legal(halfedge)`. Calls `before_flip(halfedge)`.
+template <typename UserMesh, typename IsLegal, typename BeforeFlip>
+std::size_t flip_in_order(Working_mesh<UserMesh>& mesh, const std::vector<Queued_edge<Working_mesh<UserMesh> > >& queue,
+                          const IsLegal& is_legal, const BeforeFlip& before_flip)
+{
+  const auto& tm = mesh.tmesh();
+  const std::size_t before = mesh.counts().flips;
+  propose_and_accept(mesh, queue.begin(), queue.end(), [&](const auto& candidate) { return is_legal(candidate.halfedge); },
+                     [&](const auto& candidate, const bool was_legal, const std::size_t since)
+  {
+    const auto h = candidate.halfedge, o = opposite(h, tm);
+    // what is legal depends on the faces around the two that the edge has
+    const bool has_changed = mesh.number_of_changes() != since
+      && (mesh.has_changed(h, since) || mesh.has_changed(target(next(h, tm), tm), since)
+          || mesh.has_changed(target(next(o, tm), tm), since));
+    if(!(has_changed ? is_legal(h) : was_legal) || !is_flip_free(mesh, h))
+      return;
+    before_flip(h);
+    mesh.flip_edge(h);
+  });
+  return mesh.counts().flips - before;
+}
+
+// Flips an edge where that is best, among the legal ones.
 template <typename UserMesh>
 bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h,
-                   const Flip_criterion criterion)
+                   const int gain)
 {
-  // the cheaper and the more selective questions come first
-  if(!is_flippable(mesh, h))
-    return false;
-  const int gain = criterion == BY_VALENCE ? valence_gain(mesh, h) : 0;
-  if(gain < 0)
-    return false;
   const Worth before = worth_of_pair(mesh, h);
-  // The quality of the halves of a square, for both of its diagonals: two triangles that are both better than these
-  // have no better diagonal.
-  constexpr double quality_of_square = 0.7175;
   if(gain == 0 && before.score > quality_of_square)
     return false;
   const Worth after = worth_after_flip(mesh, h);
@@ -152,21 +219,46 @@ bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_me
       && is_flip_topologically_legal(mesh, h);
 }
 
+// Flips edges that raise the worse of their two scores, the longest first.
 template <typename UserMesh>
-std::size_t flip_edges(Working_mesh<UserMesh>& mesh, const Flip_criterion criterion, const std::size_t since)
+std::size_t flip_edges_by_score(Working_mesh<UserMesh>& mesh, const std::size_t since)
+{
+  typedef Working_mesh<UserMesh> Mesh;
+  std::vector<Queued_edge<Mesh> > queue;
+  std::size_t step = 0;
+  for(const auto f : faces(mesh.tmesh()))
+  {
+    if(mesh.is_stopped_at(step++))
+      return 0;
+    if(!mesh.is_remeshed(f) || !mesh.has_changed(f, since)
+       || face_worth(mesh, halfedge(f, mesh.tmesh())).score > quality_of_square)
+      continue;
+    for(const auto h : CGAL::halfedges_around_face(halfedge(f, mesh.tmesh()), mesh.tmesh()))
+      if(mesh.has_changed(h, since) && is_flippable(mesh, h))
+        queue.push_back({halfedge(edge(h, mesh.tmesh()), mesh.tmesh()), urgency_level(mesh.relative_length(h)),
+                         mesh.edge_key(h)});
+  }
+  sort_queue(queue);
+  return flip_in_order(mesh, queue,
+                       [&](const auto h) { return is_flippable(mesh, h) && is_flip_legal(mesh, h, 0); }, [](const auto) {});
+}
+
+// Flips edges that lead to vertices with about the number of triangles that fits their angle, so that relocation
+// can make these equilateral.
+template <typename UserMesh>
+std::size_t flip_edges_by_valence(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
-  const std::size_t before = mesh.counts().flips;
-  for(const auto& candidate : collect_edges(mesh, 1, [&](const halfedge_descriptor h, double)
-                                            { return mesh.has_changed(h, since) && !mesh.is_on_curve(h)
-                                                     && !mesh.is_protected(h); }))
+  Face_excesses<UserMesh> excesses(mesh);
+  // the cheaper and the more selective questions come first
+  const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h)
+                                   { return mesh.has_changed(h, since) && is_flippable(mesh, h)
+                                            && excesses.first_gain_of_flip(h) >= 0; });
+  return flip_in_order(mesh, queue, [&](const halfedge_descriptor h)
   {
-    if(mesh.is_stopped())
-      break;
-    if(is_flip_legal(mesh, candidate.halfedge, criterion) && is_flip_free(mesh, candidate.halfedge))
-      mesh.flip_edge(candidate.halfedge);
-  }
-  return mesh.counts().flips - before;
+    const int gain = excesses.gain_of_flip(h);
+    return gain >= 0 && is_flip_legal(mesh, h, gain);
+  }, [&](const halfedge_descriptor h) { excesses.follow_flip(h); });
 }
 
 } // namespace internal

@@ -164,7 +164,7 @@ std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
 {
   typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
   // of the badness: a smaller gain is not worth a move, and the sweeps come to rest
-  constexpr double least_gain = 0.01;
+  constexpr double least_gain = 0.02;
   return relocate_vertices(mesh, since, [&](const vertex_descriptor v) -> std::optional<Site>
   {
     Star star(mesh.reference(), Star::MEAN);

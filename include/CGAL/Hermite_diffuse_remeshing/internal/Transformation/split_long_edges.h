@@ -89,34 +89,37 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
                                    : after.score > before.score + score_margin;
 }
 
-// Splits the edges that are longer than `bound` times their size, or too far from their feature curve, longest
-// first; edges that are still too long after that are met again in the next round. Lengths halve, so the
-// rounds end. Only edges with changes around them are looked at.
+// Splits the edges that are longer than `bound` times their size, or too far from their feature curve, each once, the
+// longest first. Only edges with changes around them are looked at.
+template <typename UserMesh>
+std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
+{
+  typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
+  const std::size_t before = mesh.counts().splits;
+  const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h)
+                                   { return (mesh.relative_length(h) > bound || !is_faithful(mesh, h))
+                                            && mesh.has_changed(h, since) && !mesh.is_protected(h); });
+  // splits move no vertex, and the faces that they make have the hints of their origin: middles stay
+  propose_and_accept(mesh, queue.begin(), queue.end(), [&](const auto& candidate)
+                     { return mesh.is_full() ? Site() : middle_site(mesh, candidate.halfedge); },
+                     [&](const auto& candidate, const Site& site, std::size_t)
+  {
+    if(is_split_legal(mesh, candidate.halfedge, site) && is_split_free(mesh, candidate.halfedge, site))
+      mesh.split_edge(candidate.halfedge, site);
+  });
+  return mesh.counts().splits - before;
+}
+
+// Edges that are still too long after that are met again in the next round. Lengths halve, so the rounds end.
 template <typename UserMesh>
 std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
 {
-  typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   // halves the longest edge from the model's diameter to its rounding
   constexpr int maximum_number_of_rounds = 48;
   const std::size_t before = mesh.counts().splits;
-  for(int round = 0; round < maximum_number_of_rounds; ++round)
-  {
-    const std::size_t before_round = mesh.counts().splits;
-    const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h, const double length)
-                                     { return (length > bound || !is_faithful(mesh, h))
-                                              && mesh.has_changed(h, since) && !mesh.is_protected(h); });
-    // splits move no vertex, and the faces that they make have the hints of their origin: middles stay
-    propose_and_accept(mesh, queue.begin(), queue.end(),
-                       [&](const auto& candidate)
-                       { return mesh.is_full() ? Site() : middle_site(mesh, candidate.halfedge); },
-                       [&](const auto& candidate, const Site& site, std::size_t)
-    {
-      if(is_split_legal(mesh, candidate.halfedge, site) && is_split_free(mesh, candidate.halfedge, site))
-        mesh.split_edge(candidate.halfedge, site);
-    });
-    if(mesh.is_stopped() || mesh.is_full() || mesh.counts().splits == before_round)
+  for(int round = 0; round < maximum_number_of_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
+    if(split_long_edges_once(mesh, bound, since) == 0)
       break;
-  }
   return mesh.counts().splits - before;
 }
 
