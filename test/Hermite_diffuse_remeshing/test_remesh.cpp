@@ -420,7 +420,7 @@ void test_attribute_transfer()
 void test_close_sheets()
 {
   std::cout << "close sheets" << std::endl;
-  const double pi = analytic::pi, gap = 0.01, longest = 0.7;
+  const double pi = analytic::pi, gap = 0.006, longest = 0.7;
   std::vector<Surface_mesh> inputs;
   // two tori, one inside the other
   analytic::Torus inner;

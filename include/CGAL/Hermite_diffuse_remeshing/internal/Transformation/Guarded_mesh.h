@@ -78,7 +78,7 @@ private:
   std::vector<std::pair<double, std::size_t> > m_queue;             // distances of faces that were met; a heap
 
   // A search looks farther than asked for, as many times as far, so that its ball serves the neighbours too.
-  static constexpr double reach_of_search = 2.5;
+  static constexpr double reach_of_search = 5.;
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
   // than what is clear.
   static constexpr double clearance = 1.25;
@@ -270,7 +270,7 @@ private:
         clear = distance;
       m_view.add(t, distance);
       for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tmesh()), tmesh()))
-        meet(opposite(h, tmesh()), center);
+        meet(opposite(h, tmesh()), center, clear);
     }
     if(clear >= clearance * radius)
       clear = m_view.simple_radius(cone.axis(), clear);
@@ -301,15 +301,19 @@ private:
     m_met.clear();
     m_queue.clear();
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-      meet(h, point(v));
+      meet(h, point(v), (std::numeric_limits<double>::infinity)());
   }
 
-  void meet(const halfedge_descriptor h, const Vector& center)
+  // a face that hangs together with others; it waits for its turn if it is closer than `limit`
+  void meet(const halfedge_descriptor h, const Vector& center, const double limit)
   {
     if(CGAL::is_border(h, tmesh()) || get(m_search, face(h, tmesh())) == m_number_of_searches)
       return;
     put(m_search, face(h, tmesh()), m_number_of_searches);
-    m_queue.push_back(std::make_pair(m_guard->box(face(h, tmesh())).distance(center), m_met.size()));
+    const double distance = m_guard->box(face(h, tmesh())).distance(center);
+    if(!(distance < limit))
+      return;
+    m_queue.push_back(std::make_pair(distance, m_met.size()));
     std::push_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
     m_met.push_back(face(h, tmesh()));
   }

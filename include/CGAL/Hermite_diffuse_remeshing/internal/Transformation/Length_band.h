@@ -36,8 +36,10 @@ class Length_band
   static constexpr double off_simple_ratios = 1.00137;
 
 public:
-  // The mesh of a coarser level has been through the tight passes: its halved edges are in a wider band.
-  static constexpr int first_pass_after_refinement = 6;
+  // for a mesh that has not to be split any more, but has irregular vertices
+  static constexpr int first_tight_pass = 1;
+  // for one that has been through the tight passes at a coarser level
+  static constexpr int first_wide_pass = number_of_tight_passes + 1;
   // those before it tighten and widen the band
   static constexpr int first_mending_pass = 1000;
 

@@ -9,7 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_COARSE_LEVELS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_COARSE_LEVELS_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/mesh_statistics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +38,8 @@ int coarsest_level(const Working_mesh<UserMesh>& mesh)
   constexpr double least_part_of_input = 0.25;
   // From one level to the next the number of faces falls by four; by less than this it is the shape that rules.
   constexpr double least_ratio = 2.5;
+  if(is_nearly_adapted(mesh))
+    return 0;
   Size_map& sizes = mesh.reference().sizes;
   const auto number_of_faces = [&]
   { return sizes.number_of_faces([&](const int f) { return mesh.is_reference_face_remeshed(f); }); };

@@ -125,6 +125,23 @@ bool is_adapted(const Working_mesh<UserMesh>& mesh)
          }).mean >= least_mean_quality;
 }
 
+// Are nearly all lengths within a narrow band around their sizes?
+template <typename UserMesh>
+bool has_regular_sizes(const Working_mesh<UserMesh>& mesh)
+{
+  constexpr double least_share_within_sqrt_2 = 0.9;
+  return measure_sizes(mesh, [](const auto) { return true; }).within_sqrt_2 >= least_share_within_sqrt_2;
+}
+
+// Are the sizes near those of the map, so that the mesh needs only be mended here and there?
+template <typename UserMesh>
+bool is_nearly_adapted(const Working_mesh<UserMesh>& mesh)
+{
+  constexpr double least_share_within_2 = 0.8, largest_mean = 0.3;
+  const Size_statistics sizes = measure_sizes(mesh, [](const auto) { return true; });
+  return sizes.within_2 >= least_share_within_2 && std::abs(sizes.mean_log2) <= largest_mean;
+}
+
 } // namespace internal
 } // namespace Hermite_diffuse_remeshing
 } // namespace CGAL
