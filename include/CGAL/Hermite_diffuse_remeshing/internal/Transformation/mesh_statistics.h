@@ -103,6 +103,9 @@ Size_statistics measure_sizes(const Working_mesh<UserMesh>& mesh, const IsCounte
   return result;
 }
 
+// that the loop reaches at least, where features do not rule
+constexpr double mean_quality_of_result = 0.85;
+
 // Has the mesh the sizes already, and good triangles, as after a run with the same sizes? A second run leaves
 // such a mesh nearly as it is. What lies at curves does not count: close curves, and whole numbers of edges on short
 // ones, force other lengths than the sizes, and with them other shapes.
@@ -111,7 +114,6 @@ bool is_adapted(const Working_mesh<UserMesh>& mesh)
 {
   // what the loop reaches, by a little more than what sizes change when the model is fitted to its result
   constexpr double least_share_within_2 = 0.95, least_share_within_sqrt_2 = 0.8, largest_mean = 0.15;
-  constexpr double least_mean_quality = 0.85;
   const auto& tm = mesh.tmesh();
   const auto is_inside = [&](const auto v) { return mesh.data(v).type == SURFACE_VERTEX; };
   const auto has_ends_inside = [&](const auto h) { return is_inside(source(h, tm)) && is_inside(target(h, tm)); };
@@ -122,7 +124,7 @@ bool is_adapted(const Working_mesh<UserMesh>& mesh)
          {
            const auto h = halfedge(f, tm);
            return has_ends_inside(h) || has_ends_inside(next(h, tm)) || has_ends_inside(prev(h, tm));
-         }).mean >= least_mean_quality;
+         }).mean >= mean_quality_of_result;
 }
 
 // Are nearly all lengths within a narrow band around their sizes?
@@ -133,13 +135,14 @@ bool has_regular_sizes(const Working_mesh<UserMesh>& mesh)
   return measure_sizes(mesh, [](const auto) { return true; }).within_sqrt_2 >= least_share_within_sqrt_2;
 }
 
-// Are the sizes near those of the map, so that the mesh needs only be mended here and there?
+// Are the sizes near those of the map, and the triangles good, so that the mesh needs only be mended here and there?
 template <typename UserMesh>
 bool is_nearly_adapted(const Working_mesh<UserMesh>& mesh)
 {
   constexpr double least_share_within_2 = 0.8, largest_mean = 0.3;
   const Size_statistics sizes = measure_sizes(mesh, [](const auto) { return true; });
-  return sizes.within_2 >= least_share_within_2 && std::abs(sizes.mean_log2) <= largest_mean;
+  return sizes.within_2 >= least_share_within_2 && std::abs(sizes.mean_log2) <= largest_mean
+      && measure_quality(mesh, [](const auto) { return true; }).mean >= mean_quality_of_result;
 }
 
 } // namespace internal
