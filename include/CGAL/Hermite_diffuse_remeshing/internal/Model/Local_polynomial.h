@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -40,7 +41,7 @@ struct Moment_table
   static constexpr int size = number_of_monomials(Degree);
   // the lowest even order above the degree
   static constexpr int combined_order = 2 * (Degree / 2) + 2;
-  Entry matrix[size][size] = {};         // lower triangle
+  Entry matrix[size][size] = {};         // symmetric
   Entry rhs[size] = {};
 
   constexpr Moment_table()
@@ -149,56 +150,57 @@ public:
     }
   }
 
-  // Solves for the coefficients from `first` on, the ones before stay zero (1: through the
+  // Solves for the coefficients from `First` on, the ones before stay zero (1: through the
   // origin). Returns the smallest pivot of the matrix scaled to a unit diagonal, which is in [0, 1];
   // zero or less means that the system was singular and the coefficients are not usable. The matrix
-  // is not really scaled: its pivots L D L^T are those of the scaled one times its diagonal.
-  double solve(const int first = 0)
+  // is not really scaled: its pivots U^T D U are those of the scaled one times its diagonal.
+  // All loops have bounds that the compiler knows, so that it unrolls them and leaves out what is multiplied by 0.
+  template <int First = 0>
+  double solve()
   {
-    std::array<std::array<double, size>, size> a;             // lower triangle
+    Matrix a;
     Values<size>& x = m_coefficients;
-    for(int i = first; i < size; ++i)
+    for_each<First, size>([&](const auto row)
     {
-      for(int j = first; j <= i; ++j)
-      {
-        const auto& e = table.matrix[i][j];
-        a[i][j] = m_moments[e.position] + e.factor_x * m_slope_moments[e.slope_x]
-                                        + e.factor_y * m_slope_moments[e.slope_y]
-                                        + e.combined_factor * m_combined_moments[e.position];
-      }
+      constexpr int i = decltype(row)::value;
+      a[i].template tail<Values<size>::SizeAtCompileTime - i / 2 * 2>().setZero();
+      for_each<i, size>([&](const auto column) { a[i][column] = matrix_entry<i, decltype(column)::value>(); });
       a[i][i] += m_ridge[i];
       x[i] = m_z[i] + table.rhs[i].factor_x * m_p[table.rhs[i].slope_x]
                     + table.rhs[i].factor_y * m_q[table.rhs[i].slope_y]
                     + table.rhs[i].combined_factor * m_combined_z[i];
-    }
+    });
 
-    std::array<double, size> diagonal, column;
-    for(int i = first; i < size; ++i)
+    std::array<double, size> diagonal, inverse;
+    for(int i = First; i < size; ++i)
       diagonal[i] = a[i][i];
     double smallest_pivot = 1.;
-    for(int k = first; k < size; ++k)
+    for_each<First, size>([&](const auto eliminated)
     {
+      constexpr int k = decltype(eliminated)::value;
       const double pivot = a[k][k];
       if(!(pivot > std::numeric_limits<double>::epsilon() * diagonal[k]))
-        return 0.;
+        smallest_pivot = 0.;
       if(pivot < smallest_pivot * diagonal[k])
         smallest_pivot = pivot / diagonal[k];
-      const double inverse = 1. / pivot;
-      for(int i = k + 1; i < size; ++i)
-        column[i] = a[i][k];
-      for(int i = k + 1; i < size; ++i)
+      inverse[k] = 1. / pivot;
+      for_each<k + 1, size>([&](const auto row)
       {
-        const double factor = column[i] * inverse;
-        a[i][k] = factor;
+        // from an even column on, so that pairs are aligned; what is left of the diagonal is not read
+        constexpr int i = decltype(row)::value, length = Values<size>::SizeAtCompileTime - i / 2 * 2;
+        const double factor = a[k][i] * inverse[k];
+        a[i].template tail<length>() -= factor * a[k].template tail<length>();
         x[i] -= factor * x[k];
-        for(int j = k + 1; j <= i; ++j)
-          a[i][j] -= factor * column[j];
-      }
-      x[k] *= inverse;
+      });
+    });
+    if(!(smallest_pivot > 0.))
+      return 0.;
+    for(int k = size - 1; k >= First; --k)
+    {
+      for(int i = k + 1; i < size; ++i)
+        x[k] -= a[k][i] * x[i];
+      x[k] *= inverse[k];
     }
-    for(int k = size - 1; k > first; --k)
-      for(int i = first; i < k; ++i)
-        x[i] -= a[k][i] * x[k];
     return smallest_pivot;
   }
 
@@ -259,6 +261,31 @@ public:
   }
 
 private:
+  typedef std::array<Values<size>, size> Matrix;      // the upper triangle
+
+  // calls `visit` with the integers from First to Last - 1 as types
+  template <int First, int Last, typename Visit>
+  static void for_each(const Visit& visit)
+  {
+    if constexpr(First < Last)
+    {
+      visit(std::integral_constant<int, First>());
+      for_each<First + 1, Last>(visit);
+    }
+  }
+
+  template <int Row, int Column>
+  double matrix_entry() const
+  {
+    constexpr auto e = table.matrix[Row][Column];
+    double sum = m_moments[e.position] + e.combined_factor * m_combined_moments[e.position];
+    if constexpr(e.factor_x != 0.)
+      sum += e.factor_x * m_slope_moments[e.slope_x];
+    if constexpr(e.factor_y != 0.)
+      sum += e.factor_y * m_slope_moments[e.slope_y];
+    return sum;
+  }
+
   static Monomials monomials(const double x, const double y)
   {
     Monomials m;

@@ -91,7 +91,7 @@ private:
     }
     for(int order = 2; order <= Degree; ++order)
       polynomial.add_ridge(order, ridge * total_weight);
-    if(polynomial.solve(1) < least_pivot)
+    if(polynomial.template solve<1>() < least_pivot)
       return false;
     result = {frame.x_axis, frame.y_axis, frame.z_axis, polynomial[1], polynomial[2],
               2. * polynomial[3] / frame.size, polynomial[4] / frame.size, 2. * polynomial[5] / frame.size};

@@ -148,7 +148,7 @@ private:
     // structured mesh, the least pivot is zero; the one-sided neighbourhoods of borders go down to 1e-5. In
     // between the confidence changes with the order of magnitude. Rounding must not decide: below 1e-4
     // the pivots of the normal equations are not known well enough.
-    double pivot = polynomial.solve(1);
+    double pivot = polynomial.template solve<1>();
     constexpr double least_known_pivot = 1e-4;
     if(pivot < least_known_pivot)
       pivot = polynomial.solve_by_orthogonalization(positions(frame, spread), 1);
