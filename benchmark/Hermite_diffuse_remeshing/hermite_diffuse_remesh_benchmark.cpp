@@ -1,12 +1,15 @@
 // The speed of the remeshing, beside the isotropic remeshing of CGAL, with the quality and the distance of what is made
 // beside each time. Prints comma-separated lines; see README.md, and run_benchmark.sh for plots.
 //
-//   hermite_diffuse_remesh_benchmark TABLE [NUMBER OF FACES]...
+//   hermite_diffuse_remesh_benchmark TABLE [NUMBER | MESH]...
 //
 //   comparison   meshes remeshed to one size, with 100000 and 400000 faces; also without the parts that cost most
 //   adaptive     the same with sizes that follow the curvature, beside CGAL's adaptive sizes, from CGAL 6 on
 //   scaling      one mesh from 10000 to 4000000 faces, with one thread and with two
-//   regimes      refinement, coarsening, and a mesh that has its sizes already
+//   regimes      refinement, coarsening, and a mesh that has its sizes already; the number is the factor between them
+//
+// Without numbers those above are taken, without names fandisk, bunny00, torus and elephant; other names are those of
+// CGAL's meshes.
 
 #include "../../test/Hermite_diffuse_remeshing/analytic_surfaces.h"
 #include "../../test/Hermite_diffuse_remeshing/make_mesh.h"
@@ -306,7 +309,7 @@ void compare(const std::string& name, const double wanted)
 void compare_adaptive(const std::string& name, const double wanted)
 {
   Table table("adaptive", name);
-  const double diagonal = size_for(table.input(), 1.);
+  const double extent = size_for(table.input(), 1.);
   // bounds of the sizes, the same for both
   const double smallest = 0.2 * size_for(table.input(), wanted), largest = 5. * size_for(table.input(), wanted);
   const auto parameters = [&](const double sagitta)
@@ -314,7 +317,7 @@ void compare_adaptive(const std::string& name, const double wanted)
     return params::sagitta(sagitta).minimum_edge_length(smallest).maximum_edge_length(largest)
                   .sharp_dihedral_angle(sharp_angle);
   };
-  const double sagitta = find_value(1e-4 * diagonal, wanted, 1., [&](const double s)
+  const double sagitta = find_value(1e-4 * extent, wanted, 1., [&](const double s)
   {
     Mesh mesh = table.input();
     run(mesh, parameters(s));
@@ -379,7 +382,7 @@ int main(int argc, char* argv[])
   const std::string table = argc > 1 ? argv[1] : "";
   if(default_numbers.count(table) == 0)
   {
-    std::cerr << "usage: " << argv[0] << " comparison|adaptive|scaling|regimes [number of faces]..." << std::endl;
+    std::cerr << "usage: " << argv[0] << " comparison|adaptive|scaling|regimes [number | mesh]..." << std::endl;
     return EXIT_FAILURE;
   }
   std::vector<double> numbers;
