@@ -204,7 +204,7 @@ std::size_t flip_in_order(Working_mesh<UserMesh>& mesh, const std::vector<Queued
   return mesh.counts().flips - before;
 }
 
-// Flips an edge where that is best, among the legal ones.
+// May an edge be flipped, and is that for the better? `gain`: of the valences
 template <typename UserMesh>
 bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h,
                    const int gain)
