@@ -14,7 +14,7 @@ set ylabel "thousands of faces per second"
 set yrange [0:*]
 set key outside right top
 set grid
-plot for [m in methods] rows_of(m) using 6:($8 / 1000) with points pointtype 7 pointsize 0.6 title label_of(m)
+plot for [m in methods] rows_of(m) using 6:($8 / 1000) with points pointtype 7 pointsize 1 title label_of(m)
 
 unset logscale
 unset xlabel
