@@ -56,9 +56,9 @@ void run(const std::string& name, const Mesh& input)
     Mesh mesh = input;
     const auto report = PMP::hermite_diffuse_remesh(mesh, parameters);
 
-    // a tenth of the bound is near enough to agree or not
+    // a tenth of the bound is near enough to agree or not; the model is sampled finer, so that chords of it do not count
     const double tolerance = 0.1 * bound;
-    const Mesh model = sampled_model(input, parameters, tolerance);
+    const Mesh model = sampled_model(input, parameters, 0.03 * bound);
     constexpr std::size_t largest_number_of_samples = 100000;
     const bool is_bounded = !is_sampling_asked_for && model.number_of_faces() <= largest_number_of_samples;
     CGAL::Real_timer timer;

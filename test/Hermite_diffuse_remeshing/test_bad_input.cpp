@@ -380,6 +380,46 @@ void test_low_qualities()
   assert(number > 0 && number + number_at_ends == report.low_quality_faces.size());
   assert(report.low_quality_faces.front().distance < 1.2 * width);
 
+  // closed surfaces of so few faces that there is little to do: a flat tetrahedron, on whose model most normals are
+  // turned away from the faces, and a lozenge
+  const auto remesh_flat = [](const std::vector<analytic::Point>& points,
+                              const std::vector<std::array<std::size_t, 3> >& triangles, Surface_mesh& mesh)
+  {
+    analytic::Triangles t;
+    t.points = points;
+    t.faces = triangles;
+    mesh = make_mesh<Surface_mesh>(t);
+    return PMP::hermite_diffuse_remesh(mesh, params::sharp_dihedral_angle(180.).corner_angle(180.)
+                                               .apex_angular_defect(180.).minimum_edge_length(3.));
+  };
+  report = remesh_flat({{{0., 0., 0.}}, {{1., 0., 0.}}, {{0.5, 0.1, 0.}}, {{0.5, 0.05, 0.01}}},
+                       {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}, mesh);
+  assert(count_low_qualities(mesh, report, HDR::QUALITY_AT_FOLD) > 0);
+  report = remesh_flat({{{1., 0., 0.}}, {{-0.5, 0.2, 0.}}, {{-0.5, -0.2, 0.}}, {{0., 0., 0.05}}, {{0., 0., -0.05}}},
+                       {{{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}, {{1, 0, 4}}, {{2, 1, 4}}, {{0, 2, 4}}}, mesh);
+  assert(count_low_qualities(mesh, report, HDR::QUALITY_AT_OTHER_FACES) > 0);
+
+  // the other diagonal of a quadrangle that is not flat makes better triangles, unless another face stands in its way
+  for(const bool is_blocked : {false, true})
+  {
+    analytic::Triangles bent;
+    bent.points = {{{0., 0., 0.}}, {{0.5, -0.03, 0.03}}, {{1., 0., 0.}}, {{0.5, 1., 0.}},
+                   {{0.45, 0.1, 0.005}}, {{0.55, 0.1, 0.05}}, {{0.45, 0.3, 0.005}}};
+    bent.faces = {{{0, 1, 2}}, {{0, 2, 3}}};
+    if(is_blocked)
+      bent.faces.push_back({{4, 5, 6}});
+    mesh = make_mesh<Surface_mesh>(bent);
+    const auto is_fixed = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:fixed", true).first;
+    const std::vector<Surface_mesh::Face_index> quadrangle = {Surface_mesh::Face_index(0), Surface_mesh::Face_index(1)};
+    report = PMP::hermite_diffuse_remesh(quadrangle, mesh, params::sharp_dihedral_angle(180.).minimum_edge_length(3.)
+                                                             .vertex_is_constrained_map(is_fixed));
+    if(is_blocked)
+      assert(report.low_quality_faces.size() == 1
+             && report.low_quality_faces.front().obstacle == HDR::QUALITY_AT_INTERSECTION);
+    else
+      assert(report.low_quality_faces.empty());
+  }
+
   struct Stop : public HDR::Default_remeshing_visitor<Surface_mesh>
   {
     bool is_adapting = false;

@@ -94,7 +94,7 @@ double diagonal(const Surface_mesh& mesh)
 }
 
 // `part`: of the diagonal
-void test_contract(const Surface_mesh& input, const double part)
+void test_contract(const Surface_mesh& input, const double part, const double least_quality)
 {
   const double bound = part * diagonal(input);
   const auto parameters = params::approximation_error(0.1).maximum_deviation(bound);
@@ -104,15 +104,16 @@ void test_contract(const Surface_mesh& input, const double part)
   assert(report.faces_above_maximum_deviation.empty() && report.deviation_obstacles.empty());
   assert(report.number_of_deviation_rounds > 0);
   assert(report.stop_reason != HDR::DEVIATION_NOT_MET);
-  assert(report.smallest_quality >= 0.5);
+  assert(report.smallest_quality >= least_quality);
 
-  // The sampled model and CGAL's measure have an error each.
-  const double tolerance = 0.1 * bound;
+  // CGAL's measure knows nothing of ours; no place may be farther away than the report says.
+  const double tolerance = 0.03 * bound;
   const Surface_mesh model = sampled_model(input, parameters, tolerance);
   typedef CGAL::Sequential_tag Tag;
-  const double to_model = PMP::bounded_error_Hausdorff_distance<Tag>(mesh, model, tolerance);
-  const double from_model = PMP::bounded_error_Hausdorff_distance<Tag>(model, mesh, tolerance);
-  assert(std::abs((std::max)(to_model, from_model) - report.largest_deviation) <= 0.25 * bound);
+  const double independent = (std::max)(PMP::bounded_error_Hausdorff_distance<Tag>(mesh, model, tolerance),
+                                        PMP::bounded_error_Hausdorff_distance<Tag>(model, mesh, tolerance));
+  assert(independent <= report.largest_deviation + tolerance);
+  assert(independent >= report.largest_deviation - 0.15 * bound);
 
   const double to_input = PMP::approximate_Hausdorff_distance<Tag>(mesh, input, params::random_seed(0));
   assert(report.distance_of_model_from_input > 0.);
@@ -176,8 +177,10 @@ void test_absurd_tolerances()
 
 int main()
 {
-  test_contract(make_mesh<Surface_mesh>(analytic::Torus().mesh(1000, 3)), 4e-3);
-  test_contract(make_mesh<Surface_mesh>(analytic::Frustum().mesh(1000, 3)), 4e-3);
+  test_contract(make_mesh<Surface_mesh>(analytic::Torus().mesh(1000, 3)), 4e-3, 0.5);
+  test_contract(make_mesh<Surface_mesh>(analytic::Frustum().mesh(1000, 3)), 4e-3, 0.5);
+  // so coarse that the model bends between the vertices of the input
+  test_contract(make_mesh<Surface_mesh>(analytic::Ellipsoid_123().mesh(200, 3)), 4e-3, 0.4);
   test_protected_edges();
   test_absurd_tolerances();
   analytic::Frustum cylinder, cone;

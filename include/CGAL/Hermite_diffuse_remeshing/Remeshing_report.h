@@ -32,8 +32,8 @@ enum Stop_reason
   ITERATION_BOUND,     ///< `number_of_iterations` passes were made
   FACE_BUDGET,         ///< the number of faces reached its cap
   TIME_BUDGET,         ///< `maximum_running_time` was over
-  DEVIATION_NOT_MET,   ///< smaller faces do not bring the deviation below `maximum_deviation`: at protected
-                       ///< edges, at the smallest size, or where the model is folded
+  DEVIATION_NOT_MET,   ///< some faces still deviate more than `maximum_deviation`, each for one of the reasons of
+                       ///< `Deviation_obstacle`
   STOPPED_BY_VISITOR   ///< the visitor asked for it
 };
 
@@ -68,7 +68,7 @@ enum Deviation_obstacle
   DEVIATION_AT_SMALLEST_SIZE,  ///< the size there is `minimum_edge_length` already
   DEVIATION_AT_FOLD,           ///< smaller faces were tried, and did not help or could not be made: the model is folded
                                ///< or torn there, as over flat or intersecting faces of the input
-  DEVIATION_AFTER_STOP         ///< the face budget, the time, or the number of rounds was used up before
+  DEVIATION_AFTER_STOP         ///< the face budget, the time, or the number of rounds of refinement was used up before
 };
 
 /*!
@@ -195,10 +195,12 @@ struct Remeshing_report
   /// @}
 
   /// \name Distance to the model
-  /// measured at vertices, edge middles and face centroids of the result, at feature edges to their curves, and
-  /// back to the result: from the vertices of the input, from the middles of its feature edges, on their curves, and,
-  /// if there is a bound, from points of the model over its faces, as many as it takes to know the model
-  /// between them to a twentieth of the bound. The mean is that of the result alone.
+  /// measured at vertices, edge middles and face centroids of the result, where these tell that it is larger in between,
+  /// between feature edges and their curves, and back to the result: from the vertices of the input, from the middles of
+  /// its feature edges, on their curves, and, if there is a bound, from points of the model over its faces, as
+  /// many as it takes to know the model between them to a twentieth of the bound. Distances are raised by 4 %, which allows for
+  /// what is between the points. The mean is that of the faces of the result, of what is measured at their
+  /// vertices, middles and centroids, not raised.
   /// @{
 
   /// `false` if the remeshing was stopped before it was measured; then the other fields mean nothing

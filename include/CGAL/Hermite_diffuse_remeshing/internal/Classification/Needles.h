@@ -33,7 +33,6 @@ class Needles
   double m_sharp_angle;
   std::vector<Edge_class>& m_classes;
   const std::vector<char>& m_may_be_sharp;            // of the edges: the user says nothing of them
-  std::vector<int> m_number_of_features;              // at the vertices
   std::vector<Vector> m_normals;        // of any length; those that needles are taken to have
   std::vector<char> m_is_needle;
 
@@ -45,10 +44,8 @@ public:
   Needles(const Indexed_triangles& surface, const Edge_table& edges, const double sharp_angle,
           std::vector<Edge_class>& classes, const std::vector<char>& may_be_sharp)
     : m_surface(surface), m_edges(edges), m_sharp_angle(sharp_angle), m_classes(classes), m_may_be_sharp(may_be_sharp)
-    , m_number_of_features(surface.number_of_vertices(), 0), m_is_needle(surface.number_of_faces(), false)
+    , m_is_needle(surface.number_of_faces(), false)
   {
-    for(int e = 0; e < edges.number_of_edges(); ++e)
-      count(e, is_feature(classes[e]));
     for(int f = 0; f < surface.number_of_faces(); ++f)
       m_normals.push_back(surface.area_vector(f));
   }
@@ -84,20 +81,12 @@ public:
   }
 
 private:
-  void count(const int e, const int change)
-  {
-    for(const int v : m_edges.vertices(e))
-      m_number_of_features[v] += change;
-  }
-
   void classify_again(const int face, const int side)
   {
     const int e = m_edges.edge(face, side);
     if(m_classes[e] != SHARP_EDGE && !(m_classes[e] == INTERIOR_EDGE && m_may_be_sharp[e]))
       return;
-    const Edge_class now = angle(face, side) > m_sharp_angle ? SHARP_EDGE : INTERIOR_EDGE;
-    count(e, is_feature(now) - is_feature(m_classes[e]));
-    m_classes[e] = now;
+    m_classes[e] = angle(face, side) > m_sharp_angle ? SHARP_EDGE : INTERIOR_EDGE;
   }
 
   Edge_class edge_class(const int face, const int side) const { return m_classes[m_edges.edge(face, side)]; }
@@ -128,37 +117,26 @@ private:
     return false;
   }
 
-  // Is side k the short side of a needle behind which a wedge goes on? Its features meet at the tip and nowhere else,
-  // and go on at both ends of the side.
-  bool is_base_of_tip(const int f, const int k) const
-  {
-    const std::array<int, 3>& v = m_surface.triangles[f];
-    return m_may_be_sharp[m_edges.edge(f, k)] && is_sharp(f, next(k)) && is_sharp(f, previous(k))
-        && m_number_of_features[v[previous(k)]] == 2 && m_number_of_features[v[k]] >= 2
-        && m_number_of_features[v[next(k)]] >= 2;
-  }
-
-  // With the normal of the face at side k no features meet at a small angle any more, and there is no new one but at
-  // the base of a tip.
+  // With the normal of the face at side k no features meet at a small angle any more, and there is no new one but in
+  // place of two, where a single sheet lies behind both.
   bool is_resolved(const int f, const int k) const
   {
     const Vector& normal = m_normals[neighbor(f, k)];
     std::array<bool, 3> is_left = {{false, false, false}};
-    bool has_base = false;
+    int new_side = -1;
     for(const int side : {next(k), previous(k)})
     {
       const Edge_class c = edge_class(f, side);
       is_left[side] = (c != INTERIOR_EDGE && c != SHARP_EDGE)
                    || angle_between(normal, m_normals[neighbor(f, side)]) > m_sharp_angle;
       if(is_left[side] && c == INTERIOR_EDGE)
-      {
-        has_base = is_base_of_tip(f, side);
-        if(!has_base)
-          return false;
-      }
+        new_side = side;
     }
     const bool are_both_left = is_left[next(k)] && is_left[previous(k)];
-    return !(are_both_left && (has_base || is_sharp_corner(f, previous(k))));
+    if(new_side == -1)
+      return !(are_both_left && is_sharp_corner(f, previous(k)));
+    const int third_side = 3 - k - new_side;
+    return !are_both_left && is_sharp(f, third_side) && m_may_be_sharp[m_edges.edge(f, new_side)];
   }
 
   // The sharp side with the smallest angle of those that may become smooth; -1 if there is none, or if there are two

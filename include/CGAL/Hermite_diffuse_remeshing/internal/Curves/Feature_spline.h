@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/find_straight_segments.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -38,8 +39,10 @@ class Feature_spline
   std::vector<double> m_curvatures;            // at the points
 
 public:
-  // `is_closed`: the last point is joined to the first, which is not repeated
-  Feature_spline(const std::vector<Vector>& points, const bool is_closed)
+  // `is_closed`: the last point is joined to the first, which is not repeated. `turns_of_ends`: the first and the last
+  // segment of an open spline turn by no more than that.
+  Feature_spline(const std::vector<Vector>& points, const bool is_closed,
+                 const std::array<double, 2>& turns_of_ends = {{largest_credible_turn, largest_credible_turn}})
   {
     const Polyline line(points, is_closed);
     const int ns = line.number_of_segments();
@@ -47,7 +50,7 @@ public:
     std::vector<Vector> start_tangents, end_tangents;
     do
       find_tangents(line, straight, start_tangents, end_tangents);
-    while(straighten_turned(start_tangents, end_tangents, straight));
+    while(straighten_turned(start_tangents, end_tangents, turns_of_ends, straight));
 
     for(int i = 0; i < line.number_of_points(); ++i)
       m_curvatures.push_back(line.curvature(i));
@@ -178,12 +181,19 @@ private:
 
   // makes the segments straight that turn by too much; was there one?
   static bool straighten_turned(const std::vector<Vector>& start_tangents, const std::vector<Vector>& end_tangents,
-                                std::vector<bool>& straight)
+                                const std::array<double, 2>& turns_of_ends, std::vector<bool>& straight)
   {
     bool is_changed = false;
     for(std::size_t i = 0; i < straight.size(); ++i)
-      if(!straight[i] && angle_between(start_tangents[i], end_tangents[i]) > largest_credible_turn)
+    {
+      double largest = largest_credible_turn;
+      if(i == 0)
+        largest = (std::min)(largest, turns_of_ends[0]);
+      if(i + 1 == straight.size())
+        largest = (std::min)(largest, turns_of_ends[1]);
+      if(!straight[i] && angle_between(start_tangents[i], end_tangents[i]) > largest)
         straight[i] = is_changed = true;
+    }
     return is_changed;
   }
 

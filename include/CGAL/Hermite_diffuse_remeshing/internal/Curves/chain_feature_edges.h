@@ -12,6 +12,9 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/classify_vertices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/Feature_spline.h>
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -100,6 +103,13 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
       for(const int v : edges.vertices(e))
         feature_edges[v][feature_edges[v][0] == -1 ? 0 : 1] = e;
 
+  std::vector<std::vector<int> > edges_of_corner(surface.number_of_vertices());
+  for(int e = 0; e < edges.number_of_edges(); ++e)
+    if(is_feature(edge_classes[e]))
+      for(const int v : edges.vertices(e))
+        if(is_corner(vertex_classes[v]))
+          edges_of_corner[v].push_back(e);
+
   const auto store = [&](const std::vector<int>& vs, const std::vector<int>& es, const Feature_spline& spline,
                          const int first, const int last)
   {
@@ -111,6 +121,21 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
     result.curves.push_back({std::vector<int>(vs.begin() + first, vs.begin() + last + 1),
                              std::vector<int>(es.begin() + first, es.begin() + last),
                              Feature_spline(spline, first, last)});
+  };
+
+  // By how much a curve may turn in its first edge e behind the corner v: by half the angle to the closest other one,
+  // so that curves that leave the corner side by side stay apart by half of it if both do. Slightly less, which no
+  // regular polygon has.
+  const auto largest_turn = [&](const int v, const int e)
+  {
+    constexpr double part_of_angle = 0.4963;
+    const Vector& p = surface.points[v];
+    double result = std::numeric_limits<double>::infinity();
+    for(const int other : edges_of_corner[v])
+      if(other != e)
+        result = (std::min)(result, angle_between(surface.points[edges.opposite_vertex(e, v)] - p,
+                                                  surface.points[edges.opposite_vertex(other, v)] - p));
+    return part_of_angle * result;
   };
 
   // follows curve vertices from `start` along e until a corner or the start is met
@@ -133,7 +158,9 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
     std::vector<Vector> points;
     for(std::size_t i = 0; i < vs.size() - (is_smooth_loop ? 1 : 0); ++i)
       points.push_back(surface.points[vs[i]]);
-    const Feature_spline spline(points, is_smooth_loop);
+    const std::array<double, 2> turns_of_ends = {{largest_turn(vs.front(), es.front()),
+                                                  largest_turn(vs.back(), es.back())}};
+    const Feature_spline spline(points, is_smooth_loop, turns_of_ends);
     if(!is_loop)
       return store(vs, es, spline, 0, last);
     const int middle = chaining::middle_vertex(vs, surface);

@@ -127,14 +127,7 @@ public:
   // at a tenth of the price.
   Vector blended_normal(const Location& location) const
   {
-    Vector sum = Vector::Zero();
-    for(int k = 0; k < 3; ++k)
-      sum += location.coordinates[k] * node(location.face, k).normal;
-    const double norm = sum.norm();
-    // a face whose corners are all singular, or where the normals cancel
-    constexpr double least_norm = 1e-3;
-    return norm > least_norm ? Vector(sum / norm)
-                             : Vector(m_triangles.area_vector(location.face).stableNormalized());
+    return blended_normal(location, sum_of_normals(location));
   }
 
   Local_quadric evaluate(const Location& location) const
@@ -144,17 +137,54 @@ public:
   }
 
 private:
-  static double trust(const double cosine)
+  // from 0 to 1
+  static double fade(const double x, const double first, const double last)
   {
-    const double u = (std::min)(1., (cosine - least_cosine) / (trusted_cosine - least_cosine));
+    const double u = last > first ? (std::max)(0., (std::min)(1., (x - first) / (last - first))) : 1.;
     return u * u * (3. - 2. * u);
+  }
+  static double trust(const double cosine) { return fade(cosine, least_cosine, trusted_cosine); }
+
+  Vector sum_of_normals(const Location& location) const
+  {
+    Vector sum = Vector::Zero();
+    for(int k = 0; k < 3; ++k)
+      sum += location.coordinates[k] * node(location.face, k).normal;
+    return sum;
+  }
+
+  Vector blended_normal(const Location& location, const Vector& sum) const
+  {
+    const double norm = sum.norm();
+    // a face whose corners are all singular, or where the normals cancel
+    constexpr double least_norm = 1e-3;
+    return norm > least_norm ? Vector(sum / norm)
+                             : Vector(m_triangles.area_vector(location.face).stableNormalized());
+  }
+
+  // Where the normals of the corners nearly cancel, as on a face that is folded over, the frame turns by half a circle
+  // and the fit with it: no height over the facet means anything there, and heights of ten edges occur. Between
+  // two corners the norm of the blended normal is the cosine of half the angle between theirs at least: fits fade from
+  // an angle of 110 degrees on. Apices have no normal, and take no part.
+  double credibility(const Location& location, const Vector& sum) const
+  {
+    constexpr double incredible_norm = 0.45, credible_norm = 0.57;
+    const double norm = sum.norm();
+    if(norm >= credible_norm)
+      return 1.;
+    double weight = 0.;
+    for(int k = 0; k < 3; ++k)
+      if(node(location.face, k).has_normal())
+        weight += location.coordinates[k];
+    return fade(norm, incredible_norm * weight, credible_norm * weight);
   }
 
   Local_quadric solve(const Location& location) const
   {
     Local_quadric result;
+    const Vector sum = sum_of_normals(location);
     result.origin = m_triangles.point(location);
-    result.z_axis = blended_normal(location);
+    result.z_axis = blended_normal(location, sum);
     result.x_axis = any_normal(result.z_axis);
     result.y_axis = result.z_axis.cross(result.x_axis);
 
@@ -185,9 +215,11 @@ private:
     }
     // An edge between two apices is straight, as no normal is known there. The fit beside it is led to it: this
     // factor is zero on that edge and one on the two others.
-    if(between_singular > 0.)
+    const double straightness = between_singular > 0. ? weight / (weight + between_singular) : 1.;
+    const double part = straightness * credibility(location, sum);
+    if(part < 1.)
       for(double& a : result.a)
-        a *= weight / (weight + between_singular);
+        a *= part;
     return result;
   }
 
@@ -235,9 +267,13 @@ private:
     polynomial.add_ridge(2, ridge * total_weight);
     for(int order = 3; order <= Degree; ++order)
       polynomial.add_ridge(order, (m_options.has_soft_degree ? blended.cubic_ridge : ridge) * total_weight);
-    if(polynomial.solve() > 0.)
+    // An ill-conditioned fit over a folded ring is no more than amplified rounding and noise. Fits on stretched
+    // meshes, six to one, have pivots of 5e-5 and more.
+    constexpr double incredible_pivot = 1e-7, credible_pivot = 1e-5;
+    const double share = fade(polynomial.solve(), incredible_pivot, credible_pivot);
+    if(share > 0.)
       for(int i = 0; i < 6; ++i)
-        result.a[i] = polynomial[i];
+        result.a[i] = share * polynomial[i];
   }
 };
 

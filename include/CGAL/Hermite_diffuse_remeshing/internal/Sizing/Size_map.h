@@ -11,13 +11,10 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Curve_sizes.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Frozen_lengths.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_samples.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Graded_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/coarsen_sizes.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
@@ -45,7 +42,7 @@ class Size_map
   Progress m_progress;
   Bisection_tree m_cells;
   Size_samples m_samples;                 // first the vertices of the reference
-  std::vector<double> m_sizes;            // after gradation
+  Graded_sizes m_sizes;
   std::vector<double> m_fine_sizes;       // those that were asked for, while coarser ones are in their place
   std::vector<double> m_area_ratios;      // of the surface over the faces
   Pair_map<int> m_middles;
@@ -119,7 +116,10 @@ public:
       bisect(c, k);
     }
     for(const int s : m_cells[c].samples)
+    {
       m_samples.lower_cap(s, bounded);
+      m_sizes.note(s);
+    }
   }
 
   // Do edges that stay as they are keep the size at a location above what was asked for there?
@@ -136,7 +136,7 @@ public:
   {
     for(int round = 0; round < maximum_number_of_rounds; ++round)
     {
-      grade();
+      grade_again();
       bool is_refined = false;
       const int number_of_cells = m_cells.number_of_cells();
       for(int c = 0; c < number_of_cells; ++c, m_progress(0.))
@@ -148,8 +148,8 @@ public:
       if(!is_refined)
         break;
     }
-    if(m_samples.is_lowered() || static_cast<int>(m_sizes.size()) < m_samples.size())
-      grade();
+    if(!m_sizes.is_up_to_date())
+      grade_again();
   }
 
   // number of equilateral triangles with the size of the map on the faces that are selected
@@ -195,10 +195,10 @@ public:
   void set_coarseness(const double factor)
   {
     if(m_fine_sizes.empty())
-      m_fine_sizes = m_sizes;
-    m_sizes = factor == 1. ? std::move(m_fine_sizes)
-            : coarsened_sizes(m_fine_sizes, m_samples, m_cells.samples_of_leaves(), factor,
-                              m_sources.options().gradation, m_progress);
+      m_fine_sizes = m_sizes.values();
+    m_sizes.set(factor == 1. ? std::move(m_fine_sizes)
+                : coarsened_sizes(m_fine_sizes, m_samples, m_cells.samples_of_leaves(), factor,
+                                  m_sources.options().gradation, m_progress));
     if(factor == 1.)
       m_fine_sizes.clear();
   }
@@ -247,7 +247,11 @@ private:
         lower_by_curvature(curve.vertices[i], curve.spline.curvature_at_point(static_cast<int>(i)));
   }
 
-  void lower(const int sample, const double size) { m_samples.lower(sample, m_sources.clamped(size)); }
+  void lower(const int sample, const double size)
+  {
+    m_samples.lower(sample, m_sources.clamped(size));
+    m_sizes.note(sample);
+  }
   void lower_by_curvature(const int sample, const double curvature)
   {
     m_samples.lower_radius(sample, curvature);
@@ -256,9 +260,17 @@ private:
   void lower_user_size(const int sample, const double size)
   {
     m_samples.lower_user_size(sample, m_sources.clamped(size));
+    m_sizes.note(sample);
   }
 
-  void bisect(const int c, const int k) { m_cells.bisect(c, k, middle_of_side(m_cells[c], k)); }
+  void bisect(const int c, const int k)
+  {
+    const int middle = middle_of_side(m_cells[c], k);
+    m_sizes.note(middle);
+    for(const int s : m_cells[c].samples)
+      m_sizes.note(s);
+    m_cells.bisect(c, k, middle);
+  }
 
   // The sample at the middle of a side, made on demand and shared by the cells at the side. Each of them
   // adds what it knows: a feature has a surface at each side, and a field of the user per face has two
@@ -309,7 +321,7 @@ private:
       const double interpolated = (s[k] + s[next(k)]) / 2.;
       const int middle = middle_of_side(cell, k);
       // the cell at the other side may have it already, graded
-      const double at_middle = middle < static_cast<int>(m_sizes.size()) ? m_sizes[middle]
+      const double at_middle = middle < m_sizes.number_of_samples() ? m_sizes[middle]
                                                                          : m_samples.own_size(middle);
       if(at_middle < interpolated / (1. + size_tolerance) || at_middle > (1. + size_tolerance) * interpolated)
         return true;
@@ -365,25 +377,10 @@ private:
     return false;
   }
 
-  void grade()
+  void grade() { m_sizes.grade(m_cells, m_samples, m_frozen, m_scale, m_sources.options().gradation, m_progress); }
+  void grade_again()
   {
-    m_progress(0.);
-    m_samples.forget_lowered();
-    m_sizes.resize(m_samples.size());
-    for(int i = 0; i < m_samples.size(); ++i)
-      m_sizes[i] = m_samples.asked_size(i, m_scale);
-    m_frozen.lower(m_sizes);
-    if(m_sources.options().gradation == 1.)
-    {
-      // one size for all
-      std::fill(m_sizes.begin(), m_sizes.end(), *std::min_element(m_sizes.begin(), m_sizes.end()));
-      return;
-    }
-    const std::vector<std::array<int, 3> > leaves = m_cells.samples_of_leaves();
-    const auto position = [this](const int i) -> const Vector& { return m_samples.position(i); };
-    limit_gradation(leaves, position, slope_of_gradation(m_sources.options().gradation), m_sizes, m_progress);
-    if(!m_frozen.is_empty())
-      m_frozen.raise(leaves, position, m_sizes, m_progress);
+    m_sizes.grade_again(m_cells, m_samples, m_frozen, m_scale, m_sources.options().gradation, m_progress);
   }
 };
 

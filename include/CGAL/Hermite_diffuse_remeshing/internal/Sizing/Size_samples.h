@@ -35,17 +35,12 @@ class Size_samples
   };
 
   std::vector<Sample> m_samples;
-  bool m_is_lowered = false;
 
 public:
   int size() const { return static_cast<int>(m_samples.size()); }
   const Vector& position(const int i) const { return m_samples[i].position; }
   double own_size(const int i) const { return m_samples[i].own_size; }
   double user_size(const int i) const { return m_samples[i].user_size; }
-
-  // since the last call of `forget_lowered()`
-  bool is_lowered() const { return m_is_lowered; }
-  void forget_lowered() { m_is_lowered = false; }
 
   void add(const Vector& position, const double size)
   {
@@ -63,10 +58,7 @@ public:
 
   void lower(const int i, const double size)
   {
-    if(!(size < m_samples[i].own_size))
-      return;
-    m_samples[i].own_size = size;
-    m_is_lowered = true;
+    m_samples[i].own_size = (std::min)(m_samples[i].own_size, size);
   }
 
   void lower_user_size(const int i, const double size)

@@ -12,6 +12,8 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
+#include <boost/range/irange.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -62,10 +64,12 @@ inline double bound_from_segment(const Vector& a, const Vector& b, const double 
 // Lowers the sizes until they rise by no more than `slope` per length along the triangles. Fast
 // marching from the smallest size up: a size is final when it leaves the queue, and is passed on
 // along the sides and across the triangles.
-// `triangles`: three indices each, into `sizes` and `point(index)`.
-template <typename PointOfIndex>
+// `triangles`: three indices each, into `sizes` and `point(index)`; `seeds`: the indices from which sizes may have to be
+// passed on: all, or, where the slopes have been limited before, those of what has been lowered or added since.
+template <typename PointOfIndex, typename IndexRange>
 void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
-                     const double slope, std::vector<double>& sizes, const Progress& progress = Progress())
+                     const double slope, const IndexRange& seeds, std::vector<double>& sizes,
+                     const Progress& progress = Progress())
 {
   // in slivers rounding would lower a size again and again by its last digit
   constexpr double least_gain = 1e-9;
@@ -84,9 +88,9 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
   progress(0.);
   typedef std::pair<double, int> Entry;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-  for(std::size_t i = 0; i < sizes.size(); ++i)
+  for(const int i : seeds)
     if(first[i+1] > first[i])
-      queue.push(Entry(sizes[i], static_cast<int>(i)));
+      queue.push(Entry(sizes[i], i));
   while(!queue.empty())
   {
     progress(0.);
@@ -114,6 +118,13 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
       }
     }
   }
+}
+
+template <typename PointOfIndex>
+void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
+                     const double slope, std::vector<double>& sizes, const Progress& progress = Progress())
+{
+  limit_gradation(triangles, point, slope, boost::irange(0, static_cast<int>(sizes.size())), sizes, progress);
 }
 
 } // namespace internal

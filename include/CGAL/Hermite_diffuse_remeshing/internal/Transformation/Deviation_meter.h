@@ -9,14 +9,14 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 
-#include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Triangle_tree.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_targets.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_gaps.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Target_meter.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
 #include <utility>
@@ -26,32 +26,10 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// The distance between the result and the reference at one face of the result.
-template <typename FaceDescriptor>
-struct Face_deviation
-{
-  FaceDescriptor face;
-  double deviation = 0.;
-  Vector point = Vector::Zero();        // where it was measured
-  Location location;                    // there, on the reference
-  bool is_on_protected_edge = false;    // is it there?
-  Deviation_obstacle obstacle = DEVIATION_AFTER_STOP;   // of a face that deviates too much
-};
-
-template <typename UserMesh>
-struct Deviations
-{
-  typedef typename Working_mesh<UserMesh>::face_descriptor face_descriptor;
-
-  std::vector<Face_deviation<face_descriptor> > faces;
-  double largest = 0., mean = 0.;       // the mean: from the mesh to the model
-  double model_distance = 0.;           // between the model and the facets of the reference
-  Vector point_of_largest = Vector::Zero();
-};
-
 // Measures the deviation of the working mesh from the reference. From the mesh to the model: at vertices,
-// edge middles and face centroids; at the middles of feature edges to the curve. And back: from
-// points of the model to the closest facet of the mesh. Throws Interrupted on request.
+// edge middles and face centroids, and where these tell that it is larger in between; at feature edges between the
+// edge and its curve. And back: from points of the model to the closest facet of the mesh. What is between
+// the points is allowed for by a margin. Throws Interrupted on request.
 template <typename UserMesh>
 class Deviation_meter
 {
@@ -68,23 +46,19 @@ class Deviation_meter
   Deviation_targets m_targets;
   Deviations<UserMesh> m_deviations;
   std::vector<char> m_is_new;           // of the faces: has to be measured
-  double m_sum = 0.;
-  std::size_t m_number = 0;
-
-  // between a point of the mesh and the reference
-  struct Distance
-  {
-    Vector point = Vector::Zero();
-    Reference::Nearest nearest;
-  };
+  std::vector<Face_gaps> m_gaps;        // of those
+  double m_second_look = 0.;            // distances below it need none
 
   // relative to the local size; a deviation needs two digits
   static constexpr double tolerance = 1e-3;
+  static constexpr double raised = 1. + Deviations<UserMesh>::unseen_part;
+  // a face is measured at its vertices, its middles and its centroid
+  static constexpr double weight_in_mean = 1. / 7.;
 
 public:
-  // `bound`: distances below it need no second look
+  // `bound`: deviations below it need no second look
   Deviation_meter(const Mesh& mesh, const double bound)
-    : m_mesh(mesh), m_bound(bound), m_index(make_index_map())
+    : m_mesh(mesh), m_bound(bound / raised), m_index(make_index_map())
     , m_targets(mesh.reference(), bound, [&mesh](const int f) { return mesh.is_reference_face_remeshed(f); },
                 progress())
   {
@@ -98,8 +72,6 @@ public:
     m_deviations.faces.clear();
     m_is_new.clear();
     m_index = make_index_map();
-    m_sum = 0.;
-    m_number = 0;
     for(const face_descriptor f : faces(m_mesh.tmesh()))
     {
       put(m_index, f, -1);
@@ -109,12 +81,11 @@ public:
     for(Deviation_target& target : m_targets.targets())
       target.face = -1;
     measure_new_faces();
-    m_deviations.mean = m_sum / (std::max)(std::size_t(1), m_number);
   }
 
-  // Measures again what has changed since; the mean stays. The points of the reference whose closest face
-  // has changed look for it among the faces that have changed: the distance to some of the faces is
-  // an upper bound of the distance to all.
+  // Measures again what has changed since, and what deviates too much. The points of the reference whose closest face
+  // has changed look for it near by and among the faces that have changed: the distance to some of the faces
+  // is an upper bound of the distance to all.
   void update(const std::size_t since)
   {
     std::vector<Face_deviation<face_descriptor> > old_faces;
@@ -128,13 +99,14 @@ public:
       put(m_index, f, -1);
       if(!m_mesh.is_remeshed(f))
         continue;
-      if(m_mesh.has_changed(f, since))
+      const bool has_changed = m_mesh.has_changed(f, since);
+      const int i = has_changed ? -1 : get(old_index, f);
+      if(has_changed || old_faces[i].deviation > raised * m_bound)
       {
         add_new_face(f);
         continue;
       }
       m_mesh.give_up_if_stopped();
-      const int i = get(old_index, f);
       new_index[i] = static_cast<int>(m_deviations.faces.size());
       put(m_index, f, new_index[i]);
       m_deviations.faces.push_back(old_faces[i]);
@@ -167,17 +139,22 @@ private:
 
   void measure_new_faces()
   {
+    m_gaps.assign(m_deviations.faces.size(), Face_gaps());
     measure_centroids();
     measure_edges();
     measure_vertices();
-    measure_targets();
-    m_deviations.largest = 0.;
-    for(const auto& entry : m_deviations.faces)
-      if(entry.deviation > m_deviations.largest)
-      {
-        m_deviations.largest = entry.deviation;
-        m_deviations.point_of_largest = entry.point;
-      }
+    m_deviations.summarize();
+    m_second_look = (std::min)(m_bound, m_deviations.largest / raised);
+    measure_peaks();
+    measure_ridges();
+    std::vector<face_descriptor> new_faces;
+    for(std::size_t i = 0; i < m_is_new.size(); ++i)
+      if(m_is_new[i])
+        new_faces.push_back(m_deviations.faces[i].face);
+    Target_meter<UserMesh>(m_mesh, m_index, std::move(new_faces), m_bound, m_second_look, m_targets, m_deviations)
+      .measure(progress());
+    m_deviations.summarize();
+    m_gaps.clear();
   }
 
   // Measures at places of the mesh, `measure(place)` in several threads, and enters the results in the order of the
@@ -190,44 +167,39 @@ private:
     m_mesh.give_up_if_stopped();
   }
 
-  void add(const Distance& distance, const std::initializer_list<int> at_faces, const bool is_on_protected_edge = false)
+  // numbers of the new faces that `is_selected(number)`
+  template <typename IsSelected>
+  std::vector<int> numbers_of_new_faces(const IsSelected& is_selected) const
   {
-    for(const int f : at_faces)
-      if(f != -1 && distance.nearest.distance >= m_deviations.faces[f].deviation)
-      {
-        Face_deviation<face_descriptor>& entry = m_deviations.faces[f];
-        entry.deviation = distance.nearest.distance;
-        entry.point = distance.point;
-        entry.location = distance.nearest.location;
-        entry.is_on_protected_edge = is_on_protected_edge;
-      }
+    std::vector<int> result;
+    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
+      if(m_is_new[i] && is_selected(static_cast<int>(i)))
+        result.push_back(static_cast<int>(i));
+    return result;
   }
 
-  // of a point of the mesh, which counts for the mean
-  void add_and_count(const Distance& distance, const std::initializer_list<int> at_faces,
-                     const bool is_on_protected_edge = false)
+  void add_to_mean(const double distance, const int f)
   {
-    m_sum += distance.nearest.distance;
-    ++m_number;
-    add(distance, at_faces, is_on_protected_edge);
+    if(is_new(f))
+      m_deviations.faces[f].mean += weight_in_mean * distance;
   }
 
   // Newton's method starts from the facet's point that is closest. Where the surface is steep over its
   // facets it may end at another part of the surface: before a point counts as too far away, the
   // locations of the vertices around it are tried.
-  Distance distance_of_facet_point(const Vector& p, const halfedge_descriptor h) const
+  Reference::Nearest project(const Vector& p, const halfedge_descriptor h) const
   {
     const Reference& reference = m_mesh.reference();
     const TriangleMesh& tm = m_mesh.tmesh();
-    Distance result{p, reference.nearest(p, reference.locator.walk(p, m_mesh.hint(h)), tolerance)};
-    if(result.nearest.distance > m_bound)
+    Reference::Nearest nearest = reference.nearest(p, reference.locator.walk(p, m_mesh.hint(h)), tolerance);
+    if(nearest.distance > m_bound)
       for(const auto v : {source(h, tm), target(h, tm), target(next(h, tm), tm)})
       {
         const Reference::Nearest other = reference.nearest(p, m_mesh.data(v).site.location, tolerance);
-        if(other.distance < result.nearest.distance)
-          result.nearest = other;
+        if(other.distance < nearest.distance)
+          nearest = other;
       }
-    return result;
+    return nearest;
   }
 
   int index_at(const halfedge_descriptor h) const
@@ -238,17 +210,33 @@ private:
 
   void measure_centroids()
   {
-    std::vector<int> new_faces;
-    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
-      if(m_is_new[i])
-        new_faces.push_back(static_cast<int>(i));
-    measure_at(new_faces, [&](const int i)
+    const Barycentric center = {{1. / 3., 1. / 3., 1. / 3.}};
+    measure_at(numbers_of_new_faces([](int) { return true; }), [&](const int f) { return nearest_at(f, center); },
+               [&](const int f, const Reference::Nearest& nearest)
     {
-      const std::array<Vector, 3> corners = m_mesh.triangle(m_deviations.faces[i].face).points;
-      return distance_of_facet_point((corners[0] + corners[1] + corners[2]) / 3.,
-                                     halfedge(m_deviations.faces[i].face, m_mesh.tmesh()));
-    }, [&](const int i, const Distance& distance) { add_and_count(distance, {i}); });
+      m_deviations.add(point_of_face(f, center), nearest.distance, nearest.location, {f});
+      add_to_mean(nearest.distance, f);
+      m_gaps[f].centroid = std::copysign(nearest.distance, nearest.gap.dot(normal_of_face(f)));
+    });
   }
+
+  Vector normal_of_face(const int f) const
+  {
+    const std::array<Vector, 3> p = m_mesh.triangle(m_deviations.faces[f].face).points;
+    return (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
+  }
+
+  Vector point_of_face(const int f, const Barycentric& l) const
+  {
+    const std::array<Vector, 3> p = m_mesh.triangle(m_deviations.faces[f].face).points;
+    return l[0] * p[0] + l[1] * p[1] + l[2] * p[2];
+  }
+
+  struct Edge_measurement
+  {
+    Reference::Nearest nearest;
+    double deviation;                   // on curves, of the whole arc
+  };
 
   void measure_edges()
   {
@@ -261,89 +249,134 @@ private:
       if(is_new(index_at(h)) || is_new(index_at(opposite(h, tm))))
         new_edges.push_back(h);
     }
-    measure_at(new_edges, [&](const halfedge_descriptor h)
+    measure_at(new_edges, [&](const halfedge_descriptor h) { return measure_edge(h); },
+               [&](const halfedge_descriptor h, const Edge_measurement& measured)
     {
-      const auto s = source(h, tm), t = target(h, tm);
-      const Vector p = (m_mesh.point(s) + m_mesh.point(t)) / 2.;
-      const int curve = m_mesh.curve(h);
-      if(curve == -1)
-        return distance_of_facet_point(p, h);
-      const Site site = m_mesh.reference().curve_site(curve, (m_mesh.parameter(s, curve)
-                                                             + m_mesh.parameter(t, curve)) / 2.);
-      return Distance{p, {site.location, (site.point - p).norm()}};
-    }, [&](const halfedge_descriptor h, const Distance& distance)
-    {
-      add_and_count(distance, {index_at(h), index_at(opposite(h, tm))}, m_mesh.is_on_curve(h) && m_mesh.is_protected(h));
+      const bool is_on_curve = m_mesh.is_on_curve(h);
+      const Reference::Nearest& nearest = measured.nearest;
+      m_deviations.add(middle(h), measured.deviation, nearest.location, {index_at(h), index_at(opposite(h, tm))},
+                       is_on_curve && m_mesh.is_protected(h));
+      for(const halfedge_descriptor side : {h, opposite(h, tm)})
+      {
+        const int i = index_at(side);
+        add_to_mean(nearest.distance, i);
+        if(is_new(i))
+          set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
+      }
     });
   }
 
+  Vector middle(const halfedge_descriptor h) const
+  {
+    return (m_mesh.point(source(h, m_mesh.tmesh())) + m_mesh.point(target(h, m_mesh.tmesh()))) / 2.;
+  }
+
+  Edge_measurement measure_edge(const halfedge_descriptor h) const
+  {
+    const Vector p = middle(h);
+    const int curve = m_mesh.curve(h);
+    Edge_measurement result;
+    if(curve == -1)
+    {
+      result.nearest = project(p, h);
+      result.deviation = result.nearest.distance;
+      return result;
+    }
+    const double u = m_mesh.parameter(source(h, m_mesh.tmesh()), curve), v = m_mesh.parameter(target(h, m_mesh.tmesh()), curve);
+    const Site site = m_mesh.reference().curve_site(curve, (u + v) / 2.);
+    result.nearest.location = site.location;
+    result.nearest.gap = p - site.point;
+    result.nearest.distance = result.nearest.gap.norm();
+    // the arc may be farther away than its middle
+    result.deviation = (std::max)(result.nearest.distance, m_mesh.reference().curves.curves[curve].spline
+                                    .distance_to_chord((std::min)(u, v), (std::max)(u, v)));
+    return result;
+  }
+
+  // At an edge on a curve, which the model may leave in the plane of the face, only what is across the plane counts.
+  void set_gap(const halfedge_descriptor side, const double distance, const Vector& gap)
+  {
+    const TriangleMesh& tm = m_mesh.tmesh();
+    const halfedge_descriptor first = halfedge(face(side, tm), tm);
+    const int k = side == first ? 0 : side == next(first, tm) ? 1 : 2;
+    const double across = gap.dot(normal_of_face(index_at(side)));
+    m_gaps[index_at(side)].middles[k] = std::copysign((std::max)(distance, std::abs(across)), across);
+  }
+
+  // The vertices inside the surface are on the model.
   void measure_vertices()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
-    std::vector<halfedge_descriptor> new_vertices;      // of curves; a halfedge to each
+    std::vector<halfedge_descriptor> new_vertices;      // a halfedge to each
     for(const auto v : vertices(tm))
     {
-      if(m_mesh.index(v) == -1)
+      if(m_mesh.index(v) == -1 || m_mesh.site(v).curve == -1)
         continue;
       const halfedge_descriptor h = first_remeshed_halfedge(m_mesh, v);
-      if(h == Mesh::Graph_traits::null_halfedge() || !is_new(index_at(h)))
-        continue;
-      if(m_mesh.site(v).curve == -1)
-        ++m_number;                     // on the model
-      else
+      if(h != Mesh::Graph_traits::null_halfedge() && has_new_face(v))
         new_vertices.push_back(h);
     }
     measure_at(new_vertices, [&](const halfedge_descriptor h)
     {
       const Site& site = m_mesh.site(target(h, tm));
-      return Distance{site.point, m_mesh.reference().nearest(site.point, site.location, tolerance)};
-    }, [&](const halfedge_descriptor h, const Distance& distance) { add_and_count(distance, {index_at(h)}); });
-  }
-
-  void measure_targets()
-  {
-    Indexed_triangles facets;
-    std::vector<int> index_of_facet;
-    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
+      return m_mesh.reference().nearest(site.point, site.location, tolerance);
+    }, [&](const halfedge_descriptor h, const Reference::Nearest& nearest)
     {
-      if(!m_is_new[i])
-        continue;
-      m_mesh.give_up_if_stopped();
-      const int first = facets.number_of_vertices();
-      for(const Vector& p : m_mesh.triangle(m_deviations.faces[i].face).points)
-        facets.points.push_back(p);
-      facets.triangles.push_back({{first, first + 1, first + 2}});
-      index_of_facet.push_back(static_cast<int>(i));
-    }
-    if(index_of_facet.empty())
-      return;
-    const Triangle_tree tree(facets, progress());
-    std::vector<Deviation_target*> lost_targets;
-    for(Deviation_target& target : m_targets.targets())
-      if(target.face == -1)
-        lost_targets.push_back(&target);
-    measure_at(lost_targets, [&](const Deviation_target* const target) { return tree.closest(target->point); },
-               [&](Deviation_target* const target, const std::pair<int, Vector>& closest)
-    {
-      target->face = index_of_facet[closest.first];
-      const double distance = (closest.second - target->point).norm();
-      add({target->point, {target->location, distance}}, {target->face},
-          distance > m_bound && is_on_protected_edge(closest.second, m_deviations.faces[target->face].face));
+      m_deviations.add(m_mesh.point(target(h, tm)), nearest.distance, nearest.location, {index_at(h)});
+      for(const halfedge_descriptor g : CGAL::halfedges_around_target(target(h, tm), tm))
+        add_to_mean(nearest.distance, index_at(g));
     });
   }
 
-  bool is_on_protected_edge(const Vector& p, const face_descriptor f) const
+  bool has_new_face(const typename Mesh::vertex_descriptor v) const
   {
-    const TriangleMesh& tm = m_mesh.tmesh();
-    for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
-    {
-      if(!m_mesh.is_protected(h))
-        continue;
-      const Vector a = m_mesh.point(source(h, tm)), direction = m_mesh.point(target(h, tm)) - a;
-      if(direction.cross(p - a).norm() <= tolerance * direction.squaredNorm())
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh.tmesh()))
+      if(is_new(index_at(h)))
         return true;
-    }
     return false;
+  }
+
+  void measure_peaks()
+  {
+    measure_points(numbers_of_new_faces([&](const int f)
+    {
+      if(m_gaps[f].bound() <= m_second_look)
+        return false;
+      const double height = std::abs(m_gaps[f](m_gaps[f].peak()));
+      return height > m_second_look && raised * height > m_deviations.faces[f].deviation;
+    }), [&](const int f) { return m_gaps[f].peak(); });
+  }
+
+  // Over coarse faces of the reference, whose fits meet with a slight ridge, heights are no cubics: where they are
+  // near the bound, there are more points.
+  void measure_ridges()
+  {
+    const std::vector<int> near_bound = numbers_of_new_faces([&](const int f)
+    {
+      const Face_deviation<face_descriptor>& entry = m_deviations.faces[f];
+      return entry.deviation > part_to_look_around * raised * m_bound && m_targets.number_of_parts(entry.location) > 1;
+    });
+    for(int k = 0; k < 3; ++k)
+      measure_points(near_bound, [&](int)
+      {
+        Barycentric l = {{1. / 6., 1. / 6., 1. / 6.}};
+        l[k] = 2. / 3.;
+        return l;
+      });
+  }
+
+  // `place(face)`: barycentric coordinates in the face
+  template <typename PlaceInFace>
+  void measure_points(const std::vector<int>& in_faces, const PlaceInFace& place)
+  {
+    measure_at(in_faces, [&](const int f) { return nearest_at(f, place(f)); },
+               [&](const int f, const Reference::Nearest& nearest)
+               { m_deviations.add(point_of_face(f, place(f)), nearest.distance, nearest.location, {f}); });
+  }
+
+  Reference::Nearest nearest_at(const int f, const Barycentric& l) const
+  {
+    return project(point_of_face(f, l), halfedge(m_deviations.faces[f].face, m_mesh.tmesh()));
   }
 };
 

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -29,6 +30,21 @@ struct Deviation_target
   Location location;
   int face = -1;                        // the closest one of the mesh
 };
+
+// those of the same face that lie a step away, along its sides
+inline std::vector<Location> locations_around(const Location& location, const double step)
+{
+  std::vector<Location> result;
+  for(int k = 0; k < 3; ++k)
+    for(const int to : {next(k), previous(k)})
+      if(location.coordinates[k] >= step)
+      {
+        result.push_back(location);
+        result.back().coordinates[k] -= step;
+        result.back().coordinates[to] += step;
+      }
+  return result;
+}
 
 // The points of the model from which the deviation is measured back: the vertices of the reference, the middles
 // of its feature edges, on their curves, and as many points over its faces as the model between them needs to be
@@ -47,6 +63,11 @@ class Deviation_targets
   static constexpr double tolerance = 0.05;
   // Relative to the size: faces of the mesh have points of their own that are as close.
   static constexpr double least_distance = 0.25;
+  // Height over the longest side of a facet, an arc of 44 degrees: a model that is steeper may be folded, and the
+  // points of the mesh near another part of it.
+  static constexpr double steep = 0.1;
+  // four thousand points in a face; where the model is so steep, one more says nothing new
+  static constexpr double largest_number_of_parts = 90.;
 
 public:
   // `is_remeshed(face of the reference)`
@@ -62,6 +83,9 @@ public:
   }
 
   std::vector<Deviation_target>& targets() { return m_targets; }
+
+  // of the sides of the face at a location
+  int number_of_parts(const Location& location) const { return m_parts[location.face]; }
 
   // the largest distance between the model and the facets of the reference
   double model_distance() const { return m_model_distance; }
@@ -101,7 +125,7 @@ private:
         if(!is_remeshed(f))
           return;
         heights[f] = height_of_model(f);
-        m_parts[f] = number_of_parts(f, heights[f]);
+        m_parts[f] = count_parts(f, heights[f]);
       };
     }, progress);
     note_model_distances(heights);
@@ -117,14 +141,46 @@ private:
   }
 
   // The height of the model over a facet falls with the square of the length.
-  int number_of_parts(const int f, const double height) const
+  int count_parts(const int f, const double height) const
   {
     double longest_side = 0.;
     for(int k = 0; k < 3; ++k)
       longest_side = (std::max)(longest_side, (triangles().point(f, next(k)) - triangles().point(f, k)).norm());
     const double needed = std::sqrt(height / (tolerance * m_bound));
-    const double useful = longest_side / (least_distance * m_reference.sizes(location(f, 1. / 3., 1. / 3.)));
-    return (std::max)(1, static_cast<int>(std::ceil((std::min)(needed, useful))));
+    const double useful = height > steep * longest_side ? (std::numeric_limits<double>::infinity)()
+                                                        : longest_side / (least_distance * smallest_size(f));
+    return (std::max)(1, static_cast<int>(std::ceil((std::min)({needed, useful, largest_number_of_parts}))));
+  }
+
+  // What the normals at the corners let expect: a side like an S has no height at its middle. An arc with the slope s
+  // at both ends rises by s/4 of its length.
+  double height_of_sides(const int f) const
+  {
+    constexpr double least_cosine = 0.2;
+    const Vector normal = triangles().area_vector(f).stableNormalized();
+    double height = 0.;
+    for(int k = 0; k < 3; ++k)
+    {
+      const Vector side = triangles().point(f, next(k)) - triangles().point(f, k);
+      double rise = 0.;
+      for(const int corner : {k, next(k)})
+      {
+        const Vector& n = m_reference.surface.node(f, corner).normal;
+        rise += std::abs(n.dot(side)) / (std::max)(n.dot(normal), least_cosine);
+      }
+      height = (std::max)(height, rise / 8.);
+    }
+    return height;
+  }
+
+  // of those at the corners, the middles and the centroid
+  double smallest_size(const int f) const
+  {
+    double result = m_reference.sizes(location(f, 1. / 3., 1. / 3.));
+    for(int i = 0; i <= 2; ++i)
+      for(int j = 0; i + j <= 2; ++j)
+        result = (std::min)(result, m_reference.sizes(location(f, i / 2., j / 2.)));
+    return result;
   }
 
   void collect_vertices(const Progress& progress)

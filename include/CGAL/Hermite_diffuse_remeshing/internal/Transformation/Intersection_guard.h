@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -86,33 +87,47 @@ public:
                              { return !this->box(f).meets(box) || visit(f); });
   }
 
-  // Whether `made` may take the place of `replaced`: none of them meets another, and none meets a face that
-  // stays more often than the replaced ones do now, so that the number of meeting pairs never grows.
-  // `triangle(f)` gives a face with its numbers.
+  // Whether `made` may take the place of `replaced`: nothing meets then, or no more pairs of faces do than now. A face
+  // may get rid of one that it meets and meet another instead: where two sheets pass through each other there would be
+  // no operation at all otherwise. `triangle(f)` gives a face with its numbers.
   template <typename Triangle>
   bool allows(const Numbered_triangles& made, const Numbered_triangles& replaced, const Triangle& triangle) const
   {
-    if(made.empty())
+    if(number_of_meetings(made, replaced, triangle, 1) == 0)
       return true;
-    for(std::size_t i = 0; i < made.size(); ++i)
-      for(std::size_t j = 0; j < i; ++j)
-        if(do_triangles_meet(made[i], made[j]))
-          return false;
-    Bounding_box box(made[0].points);
-    for(const Numbered_triangle& t : made)
-      box.add(Bounding_box(t.points));
-    return visit_near(box, [&](const face_descriptor f)
-    {
-      const Numbered_triangle other = triangle(f);
-      if(is_among(other, replaced))
-        return true;
-      const auto meets_other = [&](const Numbered_triangle& t) { return do_triangles_meet(t, other); };
-      const auto number = std::count_if(made.begin(), made.end(), meets_other);
-      return number == 0 || number <= std::count_if(replaced.begin(), replaced.end(), meets_other);
-    });
+    const std::size_t now = number_of_meetings(replaced, replaced, triangle, (std::numeric_limits<std::size_t>::max)());
+    return now > 0 && number_of_meetings(made, replaced, triangle, now + 1) <= now;
   }
 
 private:
+  // The pairs that meet among some triangles, or of them and the faces other than `replaced`. Counts no farther than
+  // to `limit`.
+  template <typename Triangle>
+  std::size_t number_of_meetings(const Numbered_triangles& triangles, const Numbered_triangles& replaced,
+                                 const Triangle& triangle, const std::size_t limit) const
+  {
+    std::size_t number = 0;
+    if(triangles.empty())
+      return number;
+    Bounding_box box(triangles[0].points);
+    for(std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      box.add(Bounding_box(triangles[i].points));
+      for(std::size_t j = 0; j < i; ++j)
+        number += do_triangles_meet(triangles[i], triangles[j]);
+    }
+    if(number < limit)
+      visit_near(box, [&](const face_descriptor f)
+      {
+        const Numbered_triangle other = triangle(f);
+        if(!is_among(other, replaced))
+          number += std::count_if(triangles.begin(), triangles.end(),
+                                  [&](const Numbered_triangle& t) { return do_triangles_meet(t, other); });
+        return number < limit;
+      });
+    return number;
+  }
+
   static bool is_among(const Numbered_triangle& t, const Numbered_triangles& others)
   {
     return std::any_of(others.begin(), others.end(), [&](const Numbered_triangle& other)

@@ -86,6 +86,7 @@ struct Reference
   {
     Location location;
     double distance;
+    Vector gap = Vector::Zero();        // from the surface to the point
   };
 
   // Distance of p to the surface near a location. The locator knows the fit without the displacement, so
@@ -111,7 +112,7 @@ struct Reference
       const Vector change = feature_displacement(location) - displacement;
       const double distance = (gap - change).norm();
       if(distance < best.distance)
-        best = {location, distance};
+        best = {location, distance, gap - change};
       if(change.norm() <= tolerance * distance)
         break;
       displacement += change;

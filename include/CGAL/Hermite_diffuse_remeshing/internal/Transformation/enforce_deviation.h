@@ -167,7 +167,7 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   constexpr double first_aim = 0.8, last_aim = 0.8 / 1.4142135623730951;
   // Vertices move when shapes settle: faces that are that close to the bound before are refined too.
   constexpr double first_limit = 0.96, last_limit = 1.;
-  Deviation_meter<UserMesh> meter(mesh, maximum_deviation);
+  Deviation_meter<UserMesh> meter(mesh, first_limit * maximum_deviation);
   Deviation_refiner<UserMesh> refiner(mesh, sizes, maximum_deviation);
   meter.measure();
   std::size_t since_finished = mesh.number_of_changes();
@@ -200,11 +200,6 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
     }
     is_finished = is_last;
     meter.update(since);
-  }
-  if(number_of_rounds > 0)
-  {
-    meter.measure();
-    refiner.find_obstacles(meter.deviations().faces);
   }
   return meter.deviations();
 }

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RAISE_WORST_FACES_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RAISE_WORST_FACES_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_queue.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/collapse_short_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
@@ -19,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <variant>
 #include <vector>
 
@@ -40,46 +40,43 @@ class Worst_face_hunt
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
   typedef typename Mesh::face_descriptor face_descriptor;
 
-  struct Entry
-  {
-    int level;                          // of the score, quantised: rounding does not decide the order
-    std::array<int, 3> corners;         // numbers of the vertices, the smallest first
-
-    bool operator<(const Entry& other) const
-    { return level != other.level ? level < other.level : corners < other.corners; }
-  };
-
   enum Kind { NOTHING, FLIP, RELOCATION, COLLAPSE, SPLIT, REMOVAL, FLIP_AND_RELOCATION };
+
+  // The best operation is free of intersections as a rule; not all are asked for them before there is a need.
+  enum Search { BEST_SCORE, BEST_FREE_SCORE, BEST_FREE_QUALITY };
 
   // the best operation found so far for a face
   struct Plan
   {
+    Search search = BEST_SCORE;
     Kind kind = NOTHING;
     Worth after{-1., 0.};
-    halfedge_descriptor halfedge;
-    vertex_descriptor vertex;
-    Site site;
-    std::variant<Vertex_removal<UserMesh>, Edge_removal<UserMesh>, Curve_vertex_removal<UserMesh> > removal;
+    halfedge_descriptor halfedge = {};
+    vertex_descriptor vertex = {};
+    Site site = {};
+    std::variant<Vertex_removal<UserMesh>, Edge_removal<UserMesh>, Curve_vertex_removal<UserMesh> > removal = {};
   };
 
   Mesh& m_mesh;
   double m_satisfying_score, m_satisfying_quality;
-  std::set<Entry> m_queue;
+  Face_queue<UserMesh> m_queue;
 
   // shape comes before size here, but not without limit: lengths relative to the size
   static constexpr double longest_length = 2., shortest_length_to_split = 1.;
   // per face that is bad at first; one that can be helped is after a few tries
   static constexpr std::size_t maximum_number_of_tries = 20;
-  // per face of the mesh: where nearly all are bad, in a sliver of a surface, most tries are in vain
+  // per face of the mesh: where nearly all are bad most tries are in vain
   static constexpr std::size_t maximum_number_of_tries_of_mesh = 3;
-  // A vertex of a long protected edge may have hundreds of faces, all of them bad: what looks at pairs of its
-  // edges is not tried there.
+  // a vertex of a long protected edge may have hundreds of bad faces: pairs of its edges are not tried
   static constexpr std::size_t largest_degree = 24;
+  // of a triangle with an angle of five degrees, the normal of which turns by forty when a vertex moves by a
+  // fourteenth of its length
+  static constexpr double needle_quality = 0.1;
 
 public:
   // Faces with a better score, or with a better quality, are not worth a search.
   Worst_face_hunt(Mesh& mesh, const double satisfying_score, const double satisfying_quality)
-    : m_mesh(mesh), m_satisfying_score(satisfying_score), m_satisfying_quality(satisfying_quality)
+    : m_mesh(mesh), m_satisfying_score(satisfying_score), m_satisfying_quality(satisfying_quality), m_queue(mesh)
   {}
 
   // returns the number of operations
@@ -96,15 +93,13 @@ public:
     std::size_t number = 0;
     const std::size_t last_try = (std::min)(maximum_number_of_tries * m_queue.size(),
                                             maximum_number_of_tries_of_mesh * m_mesh.number_of_faces());
-    for(std::size_t i = 0; i < last_try && !m_queue.empty() && !m_mesh.is_stopped(); ++i)
+    for(std::size_t i = 0; i < last_try && !m_queue.is_empty() && !m_mesh.is_stopped(); ++i)
     {
-      const Entry entry = *m_queue.begin();
-      m_queue.erase(m_queue.begin());
-      const halfedge_descriptor h = halfedge_of(entry);
-      if(h == Mesh::Graph_traits::null_halfedge() || make_entry(h).level != entry.level)
+      const halfedge_descriptor h = m_queue.pop();
+      if(h == Mesh::Graph_traits::null_halfedge())
         continue;                       // has been replaced
       m_mesh.start_log();
-      if(execute(best_plan(h)))
+      if(raise(h))
       {
         ++number;
         push_changed();
@@ -119,45 +114,24 @@ public:
   // Is there an operation that raises a face, and is it free of intersections?
   Prospect prospect(const halfedge_descriptor h) const
   {
-    const Plan plan = best_plan(h);
-    return plan.kind == NOTHING ? NO_OPERATION : is_free(plan) ? FREE : NOT_FREE;
+    const Plan plan = best_plan(h, BEST_SCORE);
+    return plan.kind == NOTHING ? NO_OPERATION
+         : is_free(plan) || best_plan(h, BEST_FREE_SCORE).kind != NOTHING ? FREE : NOT_FREE;
   }
 
 private:
-  Entry make_entry(const halfedge_descriptor h) const
+  bool raise(const halfedge_descriptor h)
   {
-    const auto& tm = m_mesh.tmesh();
-    constexpr double levels = 1024., offset = 0.37;
-    Entry entry;
-    entry.level = static_cast<int>(std::floor(levels * face_worth(m_mesh, h).score + offset));
-    entry.corners = m_mesh.triangle(face(h, tm)).vertices;
-    const auto first = std::min_element(entry.corners.begin(), entry.corners.end());
-    std::rotate(entry.corners.begin(), first, entry.corners.end());
-    return entry;
-  }
-
-  // null if the face is no more
-  halfedge_descriptor halfedge_of(const Entry& entry) const
-  {
-    const auto& tm = m_mesh.tmesh();
-    halfedge_descriptor result = Mesh::Graph_traits::null_halfedge();
-    if(m_mesh.vertex(entry.corners[0]) == Mesh::Graph_traits::null_vertex())
-      return result;
-    m_mesh.visit_copies(m_mesh.vertex(entry.corners[0]), [&](const vertex_descriptor v)
-    {
-      for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
-        if(!m_mesh.is_border_or_outside(g) && m_mesh.index(target(next(g, tm), tm)) == entry.corners[1]
-           && m_mesh.index(source(g, tm)) == entry.corners[2])
-          result = next(g, tm);
-    });
-    return result;
+    const Plan plan = best_plan(h, BEST_SCORE);
+    return execute(plan) || (plan.kind != NOTHING && execute(best_plan(h, BEST_FREE_SCORE)))
+        || (face_worth(m_mesh, h).quality < needle_quality && execute(best_plan(h, BEST_FREE_QUALITY)));
   }
 
   void push(const halfedge_descriptor h)
   {
     const Worth worth = face_worth(m_mesh, h);
     if(worth.score < m_satisfying_score && worth.quality < m_satisfying_quality)
-      m_queue.insert(make_entry(h));
+      m_queue.push(h);
   }
 
   void push_changed()
@@ -176,11 +150,12 @@ private:
   }
 
   // tries everything at a face
-  Plan best_plan(const halfedge_descriptor h) const
+  Plan best_plan(const halfedge_descriptor h, const Search search) const
   {
     const auto& tm = m_mesh.tmesh();
     const std::array<halfedge_descriptor, 3> sides = {{h, next(h, tm), prev(h, tm)}};
     Plan plan;
+    plan.search = search;
     for(const halfedge_descriptor side : sides)
     {
       plan_flip(side, plan);
@@ -200,14 +175,20 @@ private:
     return plan;
   }
 
+  // The normal of a needle says little. Where no score can be raised a triangle of twice its quality may take its place,
+  // however far from the model's normal, as long as it is not turned over.
   static bool improves(const Worth& after, const Worth& before, const Plan& plan)
-  { return is_better(after, before) && after.score > plan.after.score + score_margin; }
-
-  Plan& take(const Kind kind, const Worth& after, Plan& plan) const
   {
-    plan.kind = kind;
-    plan.after = after;
-    return plan;
+    return plan.search == BEST_FREE_QUALITY
+         ? before.quality < needle_quality && after.score > (std::min)(0., before.score)
+           && after.quality > (std::max)(2. * before.quality, plan.after.quality) + score_margin
+         : is_better(after, before) && after.score > plan.after.score + score_margin;
+  }
+
+  void offer(const Plan& candidate, Plan& plan) const
+  {
+    if(plan.search == BEST_SCORE || is_free(candidate))
+      plan = candidate;
   }
 
   void plan_flip(const halfedge_descriptor h, Plan& plan) const
@@ -216,7 +197,7 @@ private:
       return;
     const Worth after = worth_after_flip(m_mesh, h);
     if(improves(after, worth_of_pair(m_mesh, h), plan))
-      take(FLIP, after, plan).halfedge = h;
+      offer({plan.search, FLIP, after, h}, plan);
   }
 
   void plan_relocation(const vertex_descriptor v, Plan& plan) const
@@ -227,10 +208,8 @@ private:
     star.add(m_mesh, v);
     const Site site = better_site(m_mesh, v, star);
     const Worth after = star.worth(site);
-    if(!improves(after, star.worth(m_mesh.site(v)), plan))
-      return;
-    take(RELOCATION, after, plan).vertex = v;
-    plan.site = site;
+    if(improves(after, star.worth(m_mesh.site(v)), plan))
+      offer({plan.search, RELOCATION, after, halfedge(v, m_mesh.tmesh()), v, site}, plan);
   }
 
   void plan_collapse(const halfedge_descriptor h, Plan& plan) const
@@ -247,10 +226,8 @@ private:
     for(const Site& site : sites)
     {
       const Worth after = star.worth(site);
-      if(!improves(after, before, plan) || !are_edges_acceptable_after_collapse(m_mesh, h, site, longest_length))
-        continue;
-      take(COLLAPSE, after, plan).halfedge = h;
-      plan.site = site;
+      if(improves(after, before, plan) && are_edges_acceptable_after_collapse(m_mesh, h, site, longest_length))
+        offer({plan.search, COLLAPSE, after, h, t, site}, plan);
     }
   }
 
@@ -271,10 +248,8 @@ private:
     if(!m_mesh.is_on_curve(h))
       site = star.better_site(site);
     const Worth after = star.worth(site);
-    if(!improves(after, before, plan))
-      return;
-    take(SPLIT, after, plan).halfedge = h;
-    plan.site = site;
+    if(improves(after, before, plan))
+      offer({plan.search, SPLIT, after, h, target(h, tm), site}, plan);
   }
 
   template <typename Removal, typename Element>
@@ -283,7 +258,7 @@ private:
     Removal removal;
     const Worth after = removal.plan(m_mesh, element);
     if(improves(after, before, plan))
-      take(REMOVAL, after, plan).removal = removal;
+      offer({plan.search, REMOVAL, after, {}, {}, {}, removal}, plan);
   }
 
   void plan_removals(const halfedge_descriptor h, Plan& plan) const
@@ -340,16 +315,13 @@ private:
   void plan_site(const halfedge_descriptor h, const vertex_descriptor v, const Star& star,
                  const Worth& before, const Worth& rest, Plan& plan) const
   {
-    if(rest.score <= (std::max)(before.score, plan.after.score))
+    if(plan.search != BEST_FREE_QUALITY && rest.score <= (std::max)(before.score, plan.after.score))
       return;
     const Site site = star.better_site(m_mesh.site(v));
     Worth after = star.worth(site);
     after.add(rest);
-    if(!improves(after, before, plan))
-      return;
-    take(FLIP_AND_RELOCATION, after, plan).halfedge = h;
-    plan.vertex = v;
-    plan.site = site;
+    if(improves(after, before, plan))
+      offer({plan.search, FLIP_AND_RELOCATION, after, h, v, site}, plan);
   }
 
   bool is_free(const Plan& plan) const

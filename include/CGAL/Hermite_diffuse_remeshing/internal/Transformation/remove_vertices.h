@@ -46,6 +46,9 @@ public:
       h = prev(opposite(h, tm), tm);
     }
     while(h != first);
+    // two triangles with the same corners that close a surface
+    if(m_contour.size() < 3)
+      return Worth{-1., 0.};
     // the other side of a tetrahedron is no place for a second triangle with the same corners
     if(m_contour.size() == 3 && target(next(opposite(prev(first, tm), tm), tm), tm) == m_contour.corner(1))
       return Worth{-1., 0.};

@@ -66,7 +66,8 @@ bool is_split_topologically_legal(const Working_mesh<UserMesh>& mesh,
 }
 
 // May the edge be split at the site? None of the triangles it makes may be turned over, and none
-// may be thinner than halving a triangle explains.
+// may be thinner than halving a triangle explains. Long strips between features consist of needles before they are
+// split: where their normals are still right, their shape does not matter.
 template <typename UserMesh>
 bool is_split_legal(const Working_mesh<UserMesh>& mesh,
                     const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
@@ -75,6 +76,7 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
     return false;
   // the two halves of a good triangle have two thirds of its quality or more
   constexpr double share_of_half = 0.4;
+  constexpr double least_score_of_half = 1e-4;
   const auto& tm = mesh.tmesh();
   const Reference& reference = mesh.reference();
   Worth before, after;
@@ -85,8 +87,8 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
     after.add(worth(reference, mesh.site(source(side, tm)), site, opposite_site, mesh.hint(side)));
     after.add(worth(reference, site, mesh.site(target(side, tm)), opposite_site, mesh.hint(side)));
   }
-  return after.score > least_score ? after.score >= (std::min)(score_floor, share_of_half * before.score)
-                                   : after.score > before.score + score_margin;
+  return after.score > least_score_of_half ? after.score >= (std::min)(score_floor, share_of_half * before.score)
+                                           : after.score > before.score + score_margin;
 }
 
 // Splits the edges that are longer than `bound` times their size, or too far from their feature curve, each once, the
@@ -97,8 +99,8 @@ std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bou
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   const std::size_t before = mesh.counts().splits;
   const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h)
-                                   { return (mesh.relative_length(h) > bound || !is_faithful(mesh, h))
-                                            && mesh.has_changed(h, since) && !mesh.is_protected(h); });
+                                   { return mesh.has_changed(h, since) && !mesh.is_protected(h)
+                                            && (mesh.relative_length(h) > bound || !is_faithful(mesh, h)); });
   // splits move no vertex, and the faces that they make have the hints of their origin: middles stay
   propose_and_accept(mesh, queue.begin(), queue.end(), [&](const auto& candidate)
                      { return mesh.is_full() ? Site() : middle_site(mesh, candidate.halfedge); },
@@ -117,9 +119,15 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, c
   // halves the longest edge from the model's diameter to its rounding
   constexpr int maximum_number_of_rounds = 48;
   const std::size_t before = mesh.counts().splits;
+  // what could not be split, and has not changed in the round before, is not tried again
+  std::size_t since_round = since;
   for(int round = 0; round < maximum_number_of_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
-    if(split_long_edges_once(mesh, bound, since) == 0)
+  {
+    const std::size_t number_of_changes = mesh.number_of_changes();
+    if(split_long_edges_once(mesh, bound, since_round) == 0)
       break;
+    since_round = number_of_changes;
+  }
   return mesh.counts().splits - before;
 }
 

@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_FACE_QUEUE_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_FACE_QUEUE_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <set>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Faces of a mesh that changes meanwhile, the one with the lowest score first. Equal ones come in the order of their
+// vertices' numbers, which is the same for every type of mesh.
+template <typename UserMesh>
+class Face_queue
+{
+  typedef Working_mesh<UserMesh> Mesh;
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
+  typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
+
+  struct Entry
+  {
+    int level;                          // of the score, quantised: rounding does not decide the order
+    std::array<int, 3> corners;         // numbers of the vertices, the smallest first
+
+    bool operator<(const Entry& other) const
+    { return level != other.level ? level < other.level : corners < other.corners; }
+  };
+
+  const Mesh& m_mesh;
+  std::set<Entry> m_entries;
+
+public:
+  explicit Face_queue(const Mesh& mesh) : m_mesh(mesh) {}
+
+  bool is_empty() const { return m_entries.empty(); }
+  std::size_t size() const { return m_entries.size(); }
+
+  // the face of h
+  void push(const halfedge_descriptor h) { m_entries.insert(make_entry(h)); }
+
+  // a halfedge of the first face; null if it has changed since it was pushed
+  halfedge_descriptor pop()
+  {
+    const Entry entry = *m_entries.begin();
+    m_entries.erase(m_entries.begin());
+    const halfedge_descriptor h = halfedge_of(entry);
+    return h != Mesh::Graph_traits::null_halfedge() && make_entry(h).level == entry.level
+         ? h : Mesh::Graph_traits::null_halfedge();
+  }
+
+private:
+  Entry make_entry(const halfedge_descriptor h) const
+  {
+    const auto& tm = m_mesh.tmesh();
+    constexpr double levels = 1024., offset = 0.37;
+    Entry entry;
+    entry.level = static_cast<int>(std::floor(levels * face_worth(m_mesh, h).score + offset));
+    entry.corners = m_mesh.triangle(face(h, tm)).vertices;
+    const auto first = std::min_element(entry.corners.begin(), entry.corners.end());
+    std::rotate(entry.corners.begin(), first, entry.corners.end());
+    return entry;
+  }
+
+  // null if the face is no more
+  halfedge_descriptor halfedge_of(const Entry& entry) const
+  {
+    const auto& tm = m_mesh.tmesh();
+    halfedge_descriptor result = Mesh::Graph_traits::null_halfedge();
+    if(m_mesh.vertex(entry.corners[0]) == Mesh::Graph_traits::null_vertex())
+      return result;
+    m_mesh.visit_copies(m_mesh.vertex(entry.corners[0]), [&](const vertex_descriptor v)
+    {
+      for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
+        if(!m_mesh.is_border_or_outside(g) && m_mesh.index(target(next(g, tm), tm)) == entry.corners[1]
+           && m_mesh.index(source(g, tm)) == entry.corners[2])
+          result = next(g, tm);
+    });
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_FACE_QUEUE_H

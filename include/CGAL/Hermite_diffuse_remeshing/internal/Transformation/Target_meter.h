@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_TARGET_METER_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_TARGET_METER_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_targets.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviations.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/closest_face.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// of the bound: above it the surroundings of a point are looked at, too
+constexpr double part_to_look_around = 0.8;
+
+// Measures back, from points of the model to the closest facet of the mesh: those points whose face is not known.
+template <typename UserMesh>
+class Target_meter
+{
+  typedef Working_mesh<UserMesh> Mesh;
+  typedef typename Mesh::face_descriptor face_descriptor;
+  typedef typename boost::property_map<typename Mesh::TriangleMesh,
+                                       CGAL::dynamic_face_property_t<int> >::const_type Face_index_map;
+  typedef Closest_on_mesh<face_descriptor> Closest;
+
+  const Mesh& m_mesh;
+  Face_index_map m_index;               // in `m_deviations.faces`
+  std::vector<face_descriptor> m_new_faces;
+  double m_bound, m_second_look;
+  Deviation_targets& m_targets;
+  Deviations<UserMesh>& m_deviations;
+
+  // relative to the height of a face: so near is on an edge
+  static constexpr double tolerance = 1e-3;
+
+public:
+  Target_meter(const Mesh& mesh, const Face_index_map& index, std::vector<face_descriptor> new_faces,
+               const double bound, const double second_look, Deviation_targets& targets,
+               Deviations<UserMesh>& deviations)
+    : m_mesh(mesh), m_index(index), m_new_faces(std::move(new_faces)), m_bound(bound), m_second_look(second_look)
+    , m_targets(targets), m_deviations(deviations)
+  {}
+
+  // The closest faces of the points of the model are near each other like the points, so that a walk from one to the
+  // next is short. Where it ends far away, all new faces are searched.
+  void measure(const Progress& progress)
+  {
+    std::vector<int> last_face(m_mesh.reference().surface.triangles().number_of_faces(), -1);  // of those of the model
+    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
+      last_face[m_mesh.hint(m_deviations.faces[i].face)] = static_cast<int>(i);
+    std::unique_ptr<Face_search<UserMesh> > search;
+    const auto closest = [&](const Vector& p, const int start)
+    {
+      Closest result;
+      if(start != -1)
+        result = walk_to_closest(m_mesh, m_deviations.faces[start].face, p);
+      if(start != -1 && result.distance2 <= m_second_look * m_second_look)
+        return result;
+      if(search == nullptr)
+        search.reset(new Face_search<UserMesh>(m_mesh, m_new_faces, progress));
+      const Closest other = search->closest(p);
+      return start == -1 || other.distance2 < result.distance2 ? other : result;
+    };
+    int last = -1;
+    for(Deviation_target& target : m_targets.targets())
+    {
+      if(target.face != -1)
+        continue;
+      m_mesh.give_up_if_stopped();
+      int& near = last_face[target.location.face];
+      const Closest at_target = closest(target.point, near != -1 ? near : last);
+      target.face = near = last = get(m_index, at_target.face);
+      add_target(target.point, at_target, target.location);
+      if(at_target.distance2 > CGAL::square(part_to_look_around * m_bound)
+         && m_targets.number_of_parts(target.location) > 1)
+        climb(target, at_target, closest);
+    }
+  }
+
+private:
+  void add_target(const Vector& p, const Closest& closest, const Location& location)
+  {
+    const double distance = std::sqrt(closest.distance2);
+    m_deviations.add(p, distance, location, {get(m_index, closest.face)},
+                     distance > m_bound && is_on_protected_edge(m_mesh, closest, tolerance));
+  }
+
+  // From a point of the model that is nearly too far away to one between it and the next ones that is farther. The
+  // model has a slight ridge along the sides of coarse faces, of which smooth heights over a face of the mesh know nothing.
+  template <typename FindClosest>
+  void climb(const Deviation_target& target, const Closest& at_target, const FindClosest& find_closest)
+  {
+    constexpr int number_of_halvings = 3;
+    Closest best = at_target;
+    Vector best_point = target.point;
+    Location best_location = target.location;
+    double step = 1. / m_targets.number_of_parts(target.location);
+    for(int i = 0; i < number_of_halvings; ++i)
+    {
+      step /= 2.;
+      for(const Location& location : locations_around(best_location, step))
+      {
+        const Vector p = m_mesh.reference().surface_point(location);
+        const Closest closest = find_closest(p, get(m_index, best.face));
+        if(closest.distance2 <= best.distance2)
+          continue;
+        best = closest;
+        best_point = p;
+        best_location = location;
+      }
+    }
+    if(best.distance2 > at_target.distance2)
+      add_target(best_point, best, best_location);
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_TARGET_METER_H
