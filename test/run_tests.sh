@@ -9,7 +9,7 @@
 #   --build DIR      the build folder (build/test, or build/test-cgal with --cgal)
 #   --sanitize KIND  with the address and undefined-behaviour sanitizers, KIND `address,undefined`, or with that of
 #                    threads, KIND `thread`; takes many times as long. Programs with threads are test_determinism
-#                    and, by TBB, test_diffuse_surface
+#                    and test_diffuse_surface
 #   --coverage       tells at last which part of the lines and branches of include/ the tests have run: a table of the
 #                    headers, with the numbers of the lines that have not run. A line of a template has run if it has
 #                    in one instance. Not optimized much, so it takes several times as long

@@ -40,6 +40,10 @@ namespace Polygon_mesh_processing {
  * A chain of parameters must begin with one of this package's own (`approximation_error` and the
  * others that \cgal does not have), then takes these and those of \cgal in any order.
  *
+ * @tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`
+ *         (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same, to the last bit,
+ *         for any number of threads. Only the calling thread changes the mesh and its property maps, and calls
+ *         visitors, property maps and size fields of the user; the mesh is read by several threads at the same time.
  * @tparam FaceRange a model of `Range` with value type `boost::graph_traits<TriangleMesh>::%face_descriptor`
  * @tparam TriangleMesh a model of `MutableFaceGraph` and `FaceListGraph`
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -275,7 +279,7 @@ namespace Polygon_mesh_processing {
  * @sa `CGAL::Hermite_diffuse_surface`
  * @sa `CGAL::Hermite_diffuse_remeshing::Attribute_transfer`
  */
-template <typename FaceRange, typename TriangleMesh,
+template <typename ConcurrencyTag = Sequential_tag, typename FaceRange, typename TriangleMesh,
           typename NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           // a variable of named parameters, which is no mesh, belongs to the other overload
@@ -287,8 +291,8 @@ Hermite_diffuse_remeshing::Remeshing_report<TriangleMesh>
 hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
                        const NamedParameters& np = parameters::default_values())
 {
-  return CGAL::Hermite_diffuse_remeshing::internal::remesh(faces, tmesh,
-                                                           CGAL::Hermite_diffuse_remeshing::internal::pack(np));
+  return CGAL::Hermite_diffuse_remeshing::internal::remesh<ConcurrencyTag>(
+    faces, tmesh, CGAL::Hermite_diffuse_remeshing::internal::pack(np));
 }
 
 /*!
@@ -296,13 +300,14 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
  *
  * remeshes all faces of a triangle mesh; same as the above with `faces(tmesh)`.
  */
-template <typename TriangleMesh, typename NamedParameters = parameters::Default_named_parameters>
+template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh,
+          typename NamedParameters = parameters::Default_named_parameters>
 Hermite_diffuse_remeshing::Remeshing_report<TriangleMesh>
 hermite_diffuse_remesh(TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   const std::vector<face_descriptor> all_faces(faces(tmesh).begin(), faces(tmesh).end());
-  return hermite_diffuse_remesh(all_faces, tmesh, np);
+  return hermite_diffuse_remesh<ConcurrencyTag>(all_faces, tmesh, np);
 }
 
 } // namespace Polygon_mesh_processing

@@ -143,6 +143,7 @@ namespace Polygon_mesh_processing {
  * `CGAL::Polygon_mesh_processing::repair_polygon_soup()` merges points that coincide. Those that no triangle uses
  * are not in the result. In each sheet the orientation of most of its triangles is given to all.
  *
+ * @tparam ConcurrencyTag enables sequential versus parallel algorithm, as for `hermite_diffuse_remesh()`
  * @tparam PointRange a model of `RandomAccessContainer` and `BackInsertionSequence` whose value type is the point type
  * @tparam TriangleRange a model of `BackInsertionSequence` whose value type is a model of
  *         `RandomAccessContainer` of `std::size_t` that can be constructed from a list of three indices:
@@ -217,7 +218,7 @@ namespace Polygon_mesh_processing {
  *
  * @sa `hermite_diffuse_remesh()`
  */
-template <typename PointRange, typename TriangleRange,
+template <typename ConcurrencyTag = Sequential_tag, typename PointRange, typename TriangleRange,
           typename NamedParameters = parameters::Default_named_parameters>
 Hermite_diffuse_remeshing::Remeshing_report<Surface_mesh<typename PointRange::value_type> >
 hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangles,
@@ -258,7 +259,8 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
     choose_parameter(get_parameter(pack, internal_np::maximum_running_time), std::numeric_limits<double>::infinity());
   check_positive_parameter("maximum_running_time", maximum_running_time);
   const Feature_options feature_options = read_feature_options(pack);
-  const Model_options model_options = read_model_options(pack);
+  Model_options model_options = read_model_options(pack);
+  model_options.is_parallel = is_parallel<ConcurrencyTag>();
   Indexed_triangles surface = read_soup(points, triangles, gt);
   std::vector<std::size_t> triangle_indices(surface.number_of_faces());
   std::iota(triangle_indices.begin(), triangle_indices.end(), std::size_t(0));

@@ -39,26 +39,37 @@ constexpr bool is_parallel()
 
 // Calls worker(i) for i from 0 to n-1, in any order. Every thread has a worker of its own, made by
 // `make_worker()`, which may keep buffers. The result is the same for any number of threads if
-// worker(i) writes what belongs to i only, and nobody reads it. Threads tell of their progress at the end.
+// worker(i) writes what belongs to i only, and nobody reads it. The calling thread alone tells of the progress.
 template <typename MakeWorker>
 void for_each_index(const int n, const bool is_parallel, const MakeWorker& make_worker,
                     const Progress& progress = Progress())
 {
+  // fewer than this are not worth waking a thread
+  constexpr int least_number = 16;
 #ifdef CGAL_LINKED_WITH_TBB
-  if(is_parallel)
+  if(is_parallel && n >= least_number)
   {
+    // between two of these the threads meet, so that a stop is not waited for; even the cheapest of our workers take
+    // a hundred times as long as the meeting
+    constexpr int block_size = 2048;
     tbb::enumerable_thread_specific<std::decay_t<decltype(make_worker())> > workers(make_worker);
-    tbb::parallel_for(tbb::blocked_range<int>(0, n), [&](const tbb::blocked_range<int>& range)
+    for(int first = 0; first < n; )
     {
-      auto& worker = workers.local();
-      for(int i = range.begin(); i < range.end(); ++i)
-        worker(i);
-    });
-    progress(1.);
+      const int last = n - first > block_size ? first + block_size : n;
+      tbb::parallel_for(tbb::blocked_range<int>(first, last), [&](const tbb::blocked_range<int>& range)
+      {
+        auto& worker = workers.local();
+        for(int i = range.begin(); i < range.end(); ++i)
+          worker(i);
+      });
+      first = last;
+      progress(double(first) / n);
+    }
     return;
   }
 #endif
   CGAL_USE(is_parallel);
+  CGAL_USE(least_number);
   auto worker = make_worker();
   for(int i = 0; i < n; ++i, progress(double(i) / n))
     worker(i);

@@ -56,7 +56,7 @@ void describe_input(const Input_mesh<TriangleMesh, GeomTraits>& input, const IsS
 }
 
 // Everything is read and checked before the first change.
-template <typename FaceRange, typename TriangleMesh, typename Pack>
+template <typename ConcurrencyTag, typename FaceRange, typename TriangleMesh, typename Pack>
 Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmesh, const Pack& pack)
 {
   using parameters::choose_parameter;
@@ -108,7 +108,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   const User user{tmesh, vpm, ecm, fpm, input.traits, watched};
   run_stages(user, input.face_descriptors, input.side_marks, is_remeshed,
              Stage_options{size_options, maximum_number_of_faces, static_cast<int>(iterations), is_guarded},
-             [&] { return read_model(input, pack, watched.progress_of_stage()); },
+             [&] { return read_model<ConcurrencyTag>(input, pack, watched.progress_of_stage()); },
              [&]
              {
                if(!repairs.empty())

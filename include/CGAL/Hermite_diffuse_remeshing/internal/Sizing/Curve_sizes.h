@@ -10,13 +10,16 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_CURVE_SIZES_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Feature_gaps.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_samples.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -69,6 +72,27 @@ public:
     constexpr double largest_factor = 8.;
     const double gap = m_gaps.gap(p, edge, size / lengths_per_gap);
     return (std::max)(lengths_per_gap * gap, size / largest_factor);
+  }
+
+  // Calls `visit(vertex, size)` with the size in a strip at the ends of all edges of the curves, where it is that of the
+  // samples otherwise.
+  template <typename Visit>
+  void visit_strips(const Edge_table& edges, const Feature_curves& curves, const Size_samples& samples,
+                    const bool is_parallel, const Progress& progress, const Visit& visit) const
+  {
+    struct Strip { int vertex, edge; double size; };
+    std::vector<Strip> strips;
+    for(const Feature_curve& curve : curves.curves)
+      for(const int e : curve.edges)
+        for(const int v : edges.vertices(e))
+          strips.push_back({v, e, samples.own_size(v)});
+    for_each_index(static_cast<int>(strips.size()), is_parallel, [&]
+    {
+      return [&](const int i)
+      { strips[i].size = size_in_strip(samples.position(strips[i].vertex), strips[i].edge, strips[i].size); };
+    }, progress);
+    for(const Strip& strip : strips)
+      visit(strip.vertex, strip.size);
   }
 
   bool is_on_curve(const int a, const int b) const { return m_pieces.count(ordered(a, b)) != 0; }

@@ -16,6 +16,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/coarsen_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <algorithm>
 #include <array>
@@ -72,12 +73,14 @@ public:
     : m_sources(surface, options), m_progress(progress), m_cells(surface.triangles())
     , m_curve_sizes(surface, edges, curves, m_sources)
   {
-    const int nf = surface.triangles().number_of_faces();
-    for(int f = 0; f < nf; ++f, progress(double(f) / nf))
-      m_area_ratios.push_back(m_sources.area_ratio(f));
+    m_area_ratios.resize(surface.triangles().number_of_faces());
+    for_each_index(surface.triangles().number_of_faces(), is_parallel(), [&]
+    {
+      return [&](const int f) { m_area_ratios[f] = m_sources.area_ratio(f); };
+    }, progress);
     sample_vertices(surface, curves);
-    sample_strips(edges, curves);
-    progress(0.);
+    m_curve_sizes.visit_strips(edges, curves, m_samples, is_parallel(), progress.part(0., 0.),
+                               [&](const int sample, const double size) { lower(sample, size); });
     for(std::size_t e = 0; e < is_edge_frozen.size(); ++e)
       if(is_edge_frozen[e])
       {
@@ -207,6 +210,7 @@ public:
   double scale() const { return m_scale; }
 
 private:
+  bool is_parallel() const { return m_sources.is_parallel(); }
   bool is_full() const { return m_cells.number_of_cells() >= m_sources.options().maximum_number_of_cells; }
 
   void sample_vertices(const Reference_surface& surface, const Feature_curves& curves)
@@ -226,26 +230,21 @@ private:
         is_done[v] = true;
       }
     }
-    for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i, m_progress(0.))
+    std::vector<double> curvatures(surface.cut_mesh().number_of_nodes(), 0.);
+    for_each_index(surface.cut_mesh().number_of_nodes(), is_parallel(), [&]
+    {
+      return [&](const int i)
+      {
+        if(!surface.node(i).is_singular)
+          curvatures[i] = m_sources.largest_curvature(i);
+      };
+    }, m_progress.part(0., 0.));
+    for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i)
       if(!surface.node(i).is_singular)
-        lower_by_curvature(surface.cut_mesh().vertex(i), m_sources.largest_curvature(i));
+        lower_by_curvature(surface.cut_mesh().vertex(i), curvatures[i]);
     for(const Feature_curve& curve : curves.curves)
       for(std::size_t i = 0; i < curve.vertices.size(); ++i)
         lower_by_curvature(curve.vertices[i], curve.spline.curvature_at_point(static_cast<int>(i)));
-  }
-
-  void sample_strips(const Edge_table& edges, const Feature_curves& curves)
-  {
-    std::vector<std::pair<int, double> > sizes;
-    for(const Feature_curve& curve : curves.curves)
-      for(const int e : curve.edges)
-        for(const int v : edges.vertices(e))
-        {
-          m_progress(0.);
-          sizes.push_back(std::make_pair(v, m_curve_sizes.size_in_strip(m_samples.position(v), e, m_samples.own_size(v))));
-        }
-    for(const std::pair<int, double>& size : sizes)
-      lower(size.first, size.second);
   }
 
   void lower(const int sample, const double size)

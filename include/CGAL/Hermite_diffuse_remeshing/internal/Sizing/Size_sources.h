@@ -57,6 +57,7 @@ public:
 
   const Size_options& options() const { return m_options; }
   const Indexed_triangles& triangles() const { return m_surface.triangles(); }
+  bool is_parallel() const { return m_surface.options().is_parallel; }
   bool has_user_size() const { return bool(m_options.user_size); }
 
   // the user's field is not asked any more

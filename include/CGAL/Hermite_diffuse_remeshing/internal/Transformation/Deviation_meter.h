@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_gaps.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Target_meter.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
 #include <algorithm>
@@ -156,6 +157,27 @@ private:
     m_gaps.clear();
   }
 
+  // Measures at places of the mesh, `measure(place)` in several threads, and enters the results in the order of the
+  // places.
+  template <typename Place, typename Measure, typename Enter>
+  void measure_at(const std::vector<Place>& places, const Measure& measure, const Enter& enter) const
+  {
+    propose_and_accept(m_mesh, places.begin(), places.end(), measure,
+                       [&](const Place& place, const auto& result, std::size_t) { enter(place, result); });
+    m_mesh.give_up_if_stopped();
+  }
+
+  // numbers of the new faces that `is_selected(number)`
+  template <typename IsSelected>
+  std::vector<int> numbers_of_new_faces(const IsSelected& is_selected) const
+  {
+    std::vector<int> result;
+    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
+      if(m_is_new[i] && is_selected(static_cast<int>(i)))
+        result.push_back(static_cast<int>(i));
+    return result;
+  }
+
   void add_to_mean(const double distance, const int f)
   {
     if(is_new(f))
@@ -188,20 +210,14 @@ private:
 
   void measure_centroids()
   {
-    const TriangleMesh& tm = m_mesh.tmesh();
-    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
+    const Barycentric center = {{1. / 3., 1. / 3., 1. / 3.}};
+    measure_at(numbers_of_new_faces([](int) { return true; }), [&](const int f) { return nearest_at(f, center); },
+               [&](const int f, const Reference::Nearest& nearest)
     {
-      if(!m_is_new[i])
-        continue;
-      m_mesh.give_up_if_stopped();
-      const int f = static_cast<int>(i);
-      const halfedge_descriptor h = halfedge(m_deviations.faces[i].face, tm);
-      const Vector p = point_of_face(f, {{1. / 3., 1. / 3., 1. / 3.}});
-      const Reference::Nearest nearest = project(p, h);
-      m_deviations.add(p, nearest.distance, nearest.location, {f});
+      m_deviations.add(point_of_face(f, center), nearest.distance, nearest.location, {f});
       add_to_mean(nearest.distance, f);
-      m_gaps[i].centroid = std::copysign(nearest.distance, nearest.gap.dot(normal_of_face(f)));
-    }
+      m_gaps[f].centroid = std::copysign(nearest.distance, nearest.gap.dot(normal_of_face(f)));
+    });
   }
 
   Vector normal_of_face(const int f) const
@@ -216,46 +232,65 @@ private:
     return l[0] * p[0] + l[1] * p[1] + l[2] * p[2];
   }
 
+  struct Edge_measurement
+  {
+    Reference::Nearest nearest;
+    double deviation;                   // on curves, of the whole arc
+  };
+
   void measure_edges()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
+    std::vector<halfedge_descriptor> new_edges;
     for(const auto e : edges(tm))
     {
-      halfedge_descriptor h = halfedge(e, tm);
-      if(m_mesh.is_border_or_outside(h))
-        h = opposite(h, tm);
-      const int f = index_at(h), g = index_at(opposite(h, tm));
-      if(!is_new(f) && !is_new(g))
-        continue;
-      m_mesh.give_up_if_stopped();
-      const auto s = source(h, tm), t = target(h, tm);
-      const Vector p = (m_mesh.point(s) + m_mesh.point(t)) / 2.;
-      const int curve = m_mesh.curve(h);
-      Reference::Nearest nearest;
-      if(curve == -1)
-      {
-        nearest = project(p, h);
-        m_deviations.add(p, nearest.distance, nearest.location, {f, g});
-      }
-      else
-      {
-        const double u = m_mesh.parameter(s, curve), v = m_mesh.parameter(t, curve);
-        const Site site = m_mesh.reference().curve_site(curve, (u + v) / 2.);
-        nearest.gap = p - site.point;
-        nearest.distance = nearest.gap.norm();
-        // the arc may be farther away than its middle
-        m_deviations.add(p, (std::max)(nearest.distance, m_mesh.reference().curves.curves[curve].spline
-                                              .distance_to_chord((std::min)(u, v), (std::max)(u, v))),
-            site.location, {f, g}, m_mesh.is_protected(h));
-      }
+      const halfedge_descriptor h = m_mesh.is_border_or_outside(halfedge(e, tm)) ? opposite(halfedge(e, tm), tm)
+                                                                                 : halfedge(e, tm);
+      if(is_new(index_at(h)) || is_new(index_at(opposite(h, tm))))
+        new_edges.push_back(h);
+    }
+    measure_at(new_edges, [&](const halfedge_descriptor h) { return measure_edge(h); },
+               [&](const halfedge_descriptor h, const Edge_measurement& measured)
+    {
+      const bool is_on_curve = m_mesh.is_on_curve(h);
+      const Reference::Nearest& nearest = measured.nearest;
+      m_deviations.add(middle(h), measured.deviation, nearest.location, {index_at(h), index_at(opposite(h, tm))},
+                       is_on_curve && m_mesh.is_protected(h));
       for(const halfedge_descriptor side : {h, opposite(h, tm)})
       {
         const int i = index_at(side);
         add_to_mean(nearest.distance, i);
         if(is_new(i))
-          set_gap(side, curve == -1 ? nearest.distance : 0., nearest.gap);
+          set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
       }
+    });
+  }
+
+  Vector middle(const halfedge_descriptor h) const
+  {
+    return (m_mesh.point(source(h, m_mesh.tmesh())) + m_mesh.point(target(h, m_mesh.tmesh()))) / 2.;
+  }
+
+  Edge_measurement measure_edge(const halfedge_descriptor h) const
+  {
+    const Vector p = middle(h);
+    const int curve = m_mesh.curve(h);
+    Edge_measurement result;
+    if(curve == -1)
+    {
+      result.nearest = project(p, h);
+      result.deviation = result.nearest.distance;
+      return result;
     }
+    const double u = m_mesh.parameter(source(h, m_mesh.tmesh()), curve), v = m_mesh.parameter(target(h, m_mesh.tmesh()), curve);
+    const Site site = m_mesh.reference().curve_site(curve, (u + v) / 2.);
+    result.nearest.location = site.location;
+    result.nearest.gap = p - site.point;
+    result.nearest.distance = result.nearest.gap.norm();
+    // the arc may be farther away than its middle
+    result.deviation = (std::max)(result.nearest.distance, m_mesh.reference().curves.curves[curve].spline
+                                    .distance_to_chord((std::min)(u, v), (std::max)(u, v)));
+    return result;
   }
 
   // At an edge on a curve, which the model may leave in the plane of the face, only what is across the plane counts.
@@ -268,25 +303,29 @@ private:
     m_gaps[index_at(side)].middles[k] = std::copysign((std::max)(distance, std::abs(across)), across);
   }
 
+  // The vertices inside the surface are on the model.
   void measure_vertices()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
+    std::vector<halfedge_descriptor> new_vertices;      // a halfedge to each
     for(const auto v : vertices(tm))
     {
-      if(m_mesh.index(v) == -1)
+      if(m_mesh.index(v) == -1 || m_mesh.site(v).curve == -1)
         continue;
       const halfedge_descriptor h = first_remeshed_halfedge(m_mesh, v);
-      if(h == Mesh::Graph_traits::null_halfedge() || !has_new_face(v))
-        continue;
-      m_mesh.give_up_if_stopped();
-      const Site& site = m_mesh.data(v).site;
-      if(site.curve == -1)
-        continue;                       // its point has been evaluated from its location
-      const Reference::Nearest nearest = m_mesh.reference().nearest(site.point, site.location, tolerance);
-      m_deviations.add(site.point, nearest.distance, nearest.location, {index_at(h)});
-      for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
-        add_to_mean(nearest.distance, index_at(g));
+      if(h != Mesh::Graph_traits::null_halfedge() && has_new_face(v))
+        new_vertices.push_back(h);
     }
+    measure_at(new_vertices, [&](const halfedge_descriptor h)
+    {
+      const Site& site = m_mesh.site(target(h, tm));
+      return m_mesh.reference().nearest(site.point, site.location, tolerance);
+    }, [&](const halfedge_descriptor h, const Reference::Nearest& nearest)
+    {
+      m_deviations.add(m_mesh.point(target(h, tm)), nearest.distance, nearest.location, {index_at(h)});
+      for(const halfedge_descriptor g : CGAL::halfedges_around_target(target(h, tm), tm))
+        add_to_mean(nearest.distance, index_at(g));
+    });
   }
 
   bool has_new_face(const typename Mesh::vertex_descriptor v) const
@@ -299,43 +338,45 @@ private:
 
   void measure_peaks()
   {
-    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
+    measure_points(numbers_of_new_faces([&](const int f)
     {
-      if(!m_is_new[i] || m_gaps[i].bound() <= m_second_look)
-        continue;
-      const Barycentric peak = m_gaps[i].peak();
-      const double height = std::abs(m_gaps[i](peak));
-      if(height <= m_second_look || raised * height <= m_deviations.faces[i].deviation)
-        continue;
-      m_mesh.give_up_if_stopped();
-      measure_point(static_cast<int>(i), peak);
-    }
+      if(m_gaps[f].bound() <= m_second_look)
+        return false;
+      const double height = std::abs(m_gaps[f](m_gaps[f].peak()));
+      return height > m_second_look && raised * height > m_deviations.faces[f].deviation;
+    }), [&](const int f) { return m_gaps[f].peak(); });
   }
 
   // Over coarse faces of the reference, whose fits meet with a slight ridge, heights are no cubics: where they are
   // near the bound, there are more points.
   void measure_ridges()
   {
-    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
+    const std::vector<int> near_bound = numbers_of_new_faces([&](const int f)
     {
-      const Face_deviation<face_descriptor>& entry = m_deviations.faces[i];
-      if(m_is_new[i] && entry.deviation > part_to_look_around * raised * m_bound
-         && m_targets.number_of_parts(entry.location) > 1)
-        for(int k = 0; k < 3; ++k)
-        {
-          Barycentric l = {{1. / 6., 1. / 6., 1. / 6.}};
-          l[k] = 2. / 3.;
-          m_mesh.give_up_if_stopped();
-          measure_point(static_cast<int>(i), l);
-        }
-    }
+      const Face_deviation<face_descriptor>& entry = m_deviations.faces[f];
+      return entry.deviation > part_to_look_around * raised * m_bound && m_targets.number_of_parts(entry.location) > 1;
+    });
+    for(int k = 0; k < 3; ++k)
+      measure_points(near_bound, [&](int)
+      {
+        Barycentric l = {{1. / 6., 1. / 6., 1. / 6.}};
+        l[k] = 2. / 3.;
+        return l;
+      });
   }
 
-  void measure_point(const int f, const Barycentric& l)
+  // `place(face)`: barycentric coordinates in the face
+  template <typename PlaceInFace>
+  void measure_points(const std::vector<int>& in_faces, const PlaceInFace& place)
   {
-    const Vector p = point_of_face(f, l);
-    const Reference::Nearest nearest = project(p, halfedge(m_deviations.faces[f].face, m_mesh.tmesh()));
-    m_deviations.add(p, nearest.distance, nearest.location, {f});
+    measure_at(in_faces, [&](const int f) { return nearest_at(f, place(f)); },
+               [&](const int f, const Reference::Nearest& nearest)
+               { m_deviations.add(point_of_face(f, place(f)), nearest.distance, nearest.location, {f}); });
+  }
+
+  Reference::Nearest nearest_at(const int f, const Barycentric& l) const
+  {
+    return project(point_of_face(f, l), halfedge(m_deviations.faces[f].face, m_mesh.tmesh()));
   }
 };
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Reference.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,13 +76,10 @@ public:
                     const Progress& progress)
     : m_reference(reference), m_bound(bound), m_parts(triangles().number_of_faces(), 0)
   {
-    for(int f = 0; f < triangles().number_of_faces(); ++f, progress(0.))
-      if(is_remeshed(f))
-        m_parts[f] = count_parts(f);
+    find_parts(is_remeshed, progress.part(0., 0.));
     collect_vertices(progress);
     collect_curve_points(progress);
-    for(int f = 0; f < triangles().number_of_faces(); ++f, progress(0.))
-      collect_face_points(f);
+    collect_face_points(progress.part(0., 0.));
   }
 
   std::vector<Deviation_target>& targets() { return m_targets; }
@@ -108,15 +106,43 @@ private:
     return (triangles().point(m_reference.locator.location_on_face(at.face, p)) - p).norm();
   }
 
-  // The height of the model over a facet falls with the square of the length.
-  int count_parts(const int f)
+  bool is_parallel() const { return m_reference.surface.options().is_parallel; }
+
+  void note_model_distances(const std::vector<double>& distances)
+  {
+    for(const double d : distances)
+      m_model_distance = (std::max)(m_model_distance, d);
+  }
+
+  template <typename IsRemeshed>
+  void find_parts(const IsRemeshed& is_remeshed, const Progress& progress)
+  {
+    std::vector<double> heights(m_parts.size(), 0.);
+    for_each_index(triangles().number_of_faces(), is_parallel(), [&]
+    {
+      return [&](const int f)
+      {
+        if(!is_remeshed(f))
+          return;
+        heights[f] = height_of_model(f);
+        m_parts[f] = count_parts(f, heights[f]);
+      };
+    }, progress);
+    note_model_distances(heights);
+  }
+
+  double height_of_model(const int f) const
   {
     double height = 0.;
     for(const Location& at : {location(f, 0.5, 0.), location(f, 0., 0.5), location(f, 0.5, 0.5),
                               location(f, 1. / 3., 1. / 3.)})
       height = (std::max)(height, distance_to_facet(at, m_reference.surface_point(at)));
-    m_model_distance = (std::max)(m_model_distance, height);
-    height = (std::max)(height, height_of_sides(f));
+    return height;
+  }
+
+  // The height of the model over a facet falls with the square of the length.
+  int count_parts(const int f, const double height) const
+  {
     double longest_side = 0.;
     for(int k = 0; k < 3; ++k)
       longest_side = (std::max)(longest_side, (triangles().point(f, next(k)) - triangles().point(f, k)).norm());
@@ -185,20 +211,34 @@ private:
     }
   }
 
+  void collect_face_points(const Progress& progress)
+  {
+    const std::size_t first = m_targets.size();
+    for(int f = 0; f < triangles().number_of_faces(); ++f, progress(0.))
+      collect_locations(f);
+    std::vector<double> distances(m_targets.size() - first);
+    for_each_index(static_cast<int>(distances.size()), is_parallel(), [&]
+    {
+      return [&](const int i)
+      {
+        Deviation_target& target = m_targets[first + i];
+        target.point = m_reference.surface_point(target.location);
+        distances[i] = distance_to_facet(target.location, target.point);
+      };
+    }, progress);
+    note_model_distances(distances);
+  }
+
   // of a regular partition, without the corners
-  void collect_face_points(const int f)
+  void collect_locations(const int f)
   {
     const int n = m_parts[f];
     for(int i = 0; i <= n; ++i)
       for(int j = 0; i + j <= n; ++j)
       {
         const int steps[3] = {n - i - j, i, j};
-        if(std::max({steps[0], steps[1], steps[2]}) == n || is_at_neighbor(f, steps))
-          continue;
-        const Location at = location(f, double(i) / n, double(j) / n);
-        const Vector p = m_reference.surface_point(at);
-        m_model_distance = (std::max)(m_model_distance, distance_to_facet(at, p));
-        m_targets.push_back({p, at});
+        if(std::max({steps[0], steps[1], steps[2]}) < n && !is_at_neighbor(f, steps))
+          m_targets.push_back({Vector::Zero(), location(f, double(i) / n, double(j) / n)});
       }
   }
 

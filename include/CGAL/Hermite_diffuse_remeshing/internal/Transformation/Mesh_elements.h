@@ -135,6 +135,8 @@ public:
   const Reference& reference() const { return m_reference; }
   const TriangleMesh& tmesh() const { return m_user.tmesh; }
   std::size_t number_of_faces() const { return m_number_of_faces; }
+  // Are queries made by several threads? Changes, and calls of the visitor, are made by the calling one alone.
+  bool is_parallel() const { return m_reference.surface.options().is_parallel; }
 
   bool is_stopped() const { return m_user.visitor.is_stop_requested(); }
   // in loops with steps that are shorter than the question

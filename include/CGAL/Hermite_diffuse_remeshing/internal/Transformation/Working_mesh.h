@@ -11,12 +11,14 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Guarded_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/container/static_vector.hpp>
 
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -241,16 +243,26 @@ public:
   // remembers where on the reference the faces lie that have changed, so that the next walk is short
   void update_hints(const std::size_t since)
   {
+    std::vector<std::pair<face_descriptor, int> > hints;
+    std::size_t step = 0;
     for(const face_descriptor f : faces(tmesh()))
+    {
+      if(Base::is_stopped_at(step++))
+        return;
       if(is_remeshed(f) && has_changed(f, since))
+        hints.push_back(std::make_pair(f, -1));
+    }
+    for_each_index(static_cast<int>(hints.size()), Base::is_parallel(), [&]
+    {
+      return [&](const int i)
       {
-        if(is_stopped())
-          return;
-        const halfedge_descriptor h = halfedge(f, tmesh());
-        const Vector centroid = (point(source(h, tmesh())) + point(target(h, tmesh()))
-                                 + point(target(next(h, tmesh()), tmesh()))) / 3.;
-        put(m_hint, f, m_reference.locator.walk(centroid, hint(f)).face);
-      }
+        const std::array<Vector, 3> corners = triangle(hints[i].first).points;
+        hints[i].second =
+          m_reference.locator.walk((corners[0] + corners[1] + corners[2]) / 3., hint(hints[i].first)).face;
+      };
+    });
+    for(const std::pair<face_descriptor, int>& entry : hints)
+      put(m_hint, entry.first, entry.second);
   }
 
 private:

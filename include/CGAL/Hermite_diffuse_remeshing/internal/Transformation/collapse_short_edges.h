@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/is_collapse_manifold.h>
 
@@ -123,23 +124,52 @@ collapse_sites(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<U
   return sites;
 }
 
-// Collapses h at the best legal place, if there is one.
-template <typename UserMesh, typename IsWorthAcceptable>
-bool collapse_if_legal(Working_mesh<UserMesh>& mesh,
-                       const typename Working_mesh<UserMesh>::halfedge_descriptor h,
-                       const double longest_length, const IsWorthAcceptable& is_acceptable)
+// A collapse of an edge that is legal and makes no bad triangle; whether these meet others is still to be asked.
+template <typename UserMesh>
+struct Collapse
 {
-  if(!is_collapse_topologically_legal(mesh, h))
-    return false;
-  const Star star = star_after_collapse(mesh, h, Star::MEAN);
-  for(const Site& site : collapse_sites(mesh, h))
-    if(are_edges_acceptable_after_collapse(mesh, h, site, longest_length) && is_acceptable(star.worth(site))
-       && is_collapse_free(mesh, h, site))
+  static constexpr int number_of_choices = 4;
+
+  int choice = number_of_choices;       // two places in one direction, then two in the other; the last: none is legal
+  typename Working_mesh<UserMesh>::halfedge_descriptor halfedge;
+  Site site;
+
+  bool is_legal() const { return choice < number_of_choices; }
+};
+
+// The first legal choice from `first_choice` on for the edge of h, at the best place that is legal, if possible of the
+// source of h.
+template <typename UserMesh, typename IsWorthAcceptable>
+Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
+                                 const typename Working_mesh<UserMesh>::halfedge_descriptor h, const int first_choice,
+                                 const double longest_length, const IsWorthAcceptable& is_acceptable)
+{
+  typedef Collapse<UserMesh> Result;
+  Result result;
+  if(first_choice >= Result::number_of_choices)
+    return result;
+  Worth before = worth_around(mesh, source(h, mesh.tmesh()));
+  before.add(worth_around(mesh, target(h, mesh.tmesh())));
+  for(int direction = 2 * first_choice / Result::number_of_choices; direction < 2; ++direction)
+  {
+    result.halfedge = direction == 0 ? h : opposite(h, mesh.tmesh());
+    if(!is_collapse_topologically_legal(mesh, result.halfedge))
+      continue;
+    const Star star = star_after_collapse(mesh, result.halfedge, Star::MEAN);
+    int choice = direction * Result::number_of_choices / 2;
+    for(const Site& site : collapse_sites(mesh, result.halfedge))
     {
-      mesh.collapse_edge(h, site);
-      return true;
+      if(choice >= first_choice && are_edges_acceptable_after_collapse(mesh, result.halfedge, site, longest_length)
+         && is_acceptable(star.worth(site), before))
+      {
+        result.choice = choice;
+        result.site = site;
+        return result;
+      }
+      ++choice;
     }
-  return false;
+  }
+  return result;
 }
 
 // Collapses edges, shortest first: those that are candidates, `is_candidate(h)`, both before the pass and
@@ -160,28 +190,41 @@ std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_c
     queue.push_back({source(e.halfedge, mesh.tmesh()), target(e.halfedge, mesh.tmesh()), e.key});
 
   std::vector<char> is_removed(mesh.number_of_vertex_slots(), false);
-  for(const Candidate& candidate : queue)
+  // null if the edge is no candidate any more
+  const auto find_edge = [&](const Candidate& candidate)
   {
-    if(mesh.is_stopped())
-      break;
+    const halfedge_descriptor none = Mesh::Graph_traits::null_halfedge();
     if(is_removed[candidate.key.first] || is_removed[candidate.key.second])
-      continue;
+      return none;
     const std::pair<halfedge_descriptor, bool> found = halfedge(candidate.source, candidate.target, mesh.tmesh());
     if(!found.second || !is_candidate(found.first))
-      continue;
-    halfedge_descriptor h = found.first;
+      return none;
     // the vertex with the smaller number stays where both may: the same for every mesh type
-    if(mesh.index(source(h, mesh.tmesh())) < mesh.index(target(h, mesh.tmesh())))
-      h = opposite(h, mesh.tmesh());
-    Worth before_collapse = worth_around(mesh, candidate.source);
-    before_collapse.add(worth_around(mesh, candidate.target));
-    const auto is_legal = [&](const Worth& after) { return is_acceptable(after, before_collapse); };
-    const int first = mesh.index(source(h, mesh.tmesh())), second = mesh.index(target(h, mesh.tmesh()));
-    if(collapse_if_legal(mesh, h, longest_length, is_legal))
-      is_removed[first] = true;
-    else if(collapse_if_legal(mesh, opposite(h, mesh.tmesh()), longest_length, is_legal))
-      is_removed[second] = true;
-  }
+    return mesh.index(source(found.first, mesh.tmesh())) < mesh.index(target(found.first, mesh.tmesh()))
+         ? opposite(found.first, mesh.tmesh()) : found.first;
+  };
+  const auto propose_from = [&](const Candidate& candidate, const int first_choice)
+  {
+    const halfedge_descriptor h = find_edge(candidate);
+    return h == Mesh::Graph_traits::null_halfedge() ? Collapse<UserMesh>()
+         : find_collapse(mesh, h, first_choice, longest_length, is_acceptable);
+  };
+  propose_and_accept(mesh, queue.begin(), queue.end(), [&](const Candidate& candidate) { return propose_from(candidate, 0); },
+                     [&](const Candidate& candidate, Collapse<UserMesh> collapse, const std::size_t since)
+  {
+    if(is_removed[candidate.key.first] || is_removed[candidate.key.second])
+      return;
+    // what is proposed depends on the faces around the ends
+    if(mesh.has_changed(candidate.source, since) || mesh.has_changed(candidate.target, since))
+      collapse = propose_from(candidate, 0);
+    for(; collapse.is_legal(); collapse = propose_from(candidate, collapse.choice + 1))
+      if(is_collapse_free(mesh, collapse.halfedge, collapse.site))
+      {
+        is_removed[mesh.index(source(collapse.halfedge, mesh.tmesh()))] = true;
+        mesh.collapse_edge(collapse.halfedge, collapse.site);
+        return;
+      }
+  });
   return mesh.counts().collapses - before;
 }
 

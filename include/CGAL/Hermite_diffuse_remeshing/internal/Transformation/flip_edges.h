@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Edge_queue.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 
 #include <CGAL/number_utils.h>
 
@@ -107,7 +108,7 @@ public:
   explicit Face_excesses(const Mesh& mesh) : m_mesh(mesh), m_excesses(mesh.number_of_vertex_slots(), unknown) {}
 
   // the change of the sum of squares of the excesses by the flip of an edge
-  int gain_of_flip(const halfedge_descriptor h)
+  int gain_of_flip(const halfedge_descriptor h) const
   {
     const auto& tm = m_mesh.tmesh();
     const halfedge_descriptor o = opposite(h, tm);
@@ -130,16 +131,25 @@ public:
       change(g, 1);
   }
 
-private:
-  int excess(const halfedge_descriptor h)
+  // the same, for the first time: what it finds is remembered
+  int first_gain_of_flip(const halfedge_descriptor h)
   {
-    const auto v = target(h, m_mesh.tmesh());
-    if(m_mesh.data(v).type != SURFACE_VERTEX)
-      return excess_of_faces(m_mesh, h);
-    int& result = m_excesses[m_mesh.index(v)];
-    if(result == unknown)
-      result = excess_of_faces(m_mesh, h);
-    return result;
+    const auto& tm = m_mesh.tmesh();
+    const halfedge_descriptor o = opposite(h, tm);
+    for(const halfedge_descriptor g : {h, o, next(h, tm), next(o, tm)})
+    {
+      int& excess = m_excesses[m_mesh.index(target(g, tm))];
+      if(excess == unknown && m_mesh.data(target(g, tm)).type == SURFACE_VERTEX)
+        excess = excess_of_faces(m_mesh, g);
+    }
+    return gain_of_flip(h);
+  }
+
+private:
+  int excess(const halfedge_descriptor h) const
+  {
+    const int result = m_excesses[m_mesh.index(target(h, m_mesh.tmesh()))];
+    return result == unknown ? excess_of_faces(m_mesh, h) : result;
   }
 
   void change(const halfedge_descriptor h, const int difference)
@@ -171,7 +181,30 @@ Worth worth_after_flip(const Working_mesh<UserMesh>& mesh, const typename Workin
   return result;
 }
 
-// Flips an edge where that is best, among the legal ones.
+// Flips edges one after the other where `is_legal(halfedge)`. Calls `before_flip(halfedge)`.
+template <typename UserMesh, typename IsLegal, typename BeforeFlip>
+std::size_t flip_in_order(Working_mesh<UserMesh>& mesh, const std::vector<Queued_edge<Working_mesh<UserMesh> > >& queue,
+                          const IsLegal& is_legal, const BeforeFlip& before_flip)
+{
+  const auto& tm = mesh.tmesh();
+  const std::size_t before = mesh.counts().flips;
+  propose_and_accept(mesh, queue.begin(), queue.end(), [&](const auto& candidate) { return is_legal(candidate.halfedge); },
+                     [&](const auto& candidate, const bool was_legal, const std::size_t since)
+  {
+    const auto h = candidate.halfedge, o = opposite(h, tm);
+    // what is legal depends on the faces around the two that the edge has
+    const bool has_changed = mesh.number_of_changes() != since
+      && (mesh.has_changed(h, since) || mesh.has_changed(target(next(h, tm), tm), since)
+          || mesh.has_changed(target(next(o, tm), tm), since));
+    if(!(has_changed ? is_legal(h) : was_legal) || !is_flip_free(mesh, h))
+      return;
+    before_flip(h);
+    mesh.flip_edge(h);
+  });
+  return mesh.counts().flips - before;
+}
+
+// May an edge be flipped, and is that for the better? `gain`: of the valences
 template <typename UserMesh>
 bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h,
                    const int gain)
@@ -191,7 +224,6 @@ template <typename UserMesh>
 std::size_t flip_edges_by_score(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   typedef Working_mesh<UserMesh> Mesh;
-  const std::size_t before = mesh.counts().flips;
   std::vector<Queued_edge<Mesh> > queue;
   std::size_t step = 0;
   for(const auto f : faces(mesh.tmesh()))
@@ -207,15 +239,8 @@ std::size_t flip_edges_by_score(Working_mesh<UserMesh>& mesh, const std::size_t 
                          mesh.edge_key(h)});
   }
   sort_queue(queue);
-  for(const Queued_edge<Mesh>& candidate : queue)
-  {
-    if(mesh.is_stopped())
-      break;
-    if(is_flippable(mesh, candidate.halfedge) && is_flip_legal(mesh, candidate.halfedge, 0)
-       && is_flip_free(mesh, candidate.halfedge))
-      mesh.flip_edge(candidate.halfedge);
-  }
-  return mesh.counts().flips - before;
+  return flip_in_order(mesh, queue,
+                       [&](const auto h) { return is_flippable(mesh, h) && is_flip_legal(mesh, h, 0); }, [](const auto) {});
 }
 
 // Flips edges that lead to vertices with about the number of triangles that fits their angle, so that relocation
@@ -224,23 +249,16 @@ template <typename UserMesh>
 std::size_t flip_edges_by_valence(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
-  const std::size_t before = mesh.counts().flips;
   Face_excesses<UserMesh> excesses(mesh);
   // the cheaper and the more selective questions come first
-  for(const auto& candidate : collect_edges(mesh, 1, [&](const halfedge_descriptor h)
-                                            { return mesh.has_changed(h, since) && is_flippable(mesh, h)
-                                                     && excesses.gain_of_flip(h) >= 0; }))
+  const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h)
+                                   { return mesh.has_changed(h, since) && is_flippable(mesh, h)
+                                            && excesses.first_gain_of_flip(h) >= 0; });
+  return flip_in_order(mesh, queue, [&](const halfedge_descriptor h)
   {
-    if(mesh.is_stopped())
-      break;
-    const halfedge_descriptor h = candidate.halfedge;
     const int gain = excesses.gain_of_flip(h);
-    if(gain < 0 || !is_flip_legal(mesh, h, gain) || !is_flip_free(mesh, h))
-      continue;
-    excesses.follow_flip(h);
-    mesh.flip_edge(h);
-  }
-  return mesh.counts().flips - before;
+    return gain >= 0 && is_flip_legal(mesh, h, gain);
+  }, [&](const halfedge_descriptor h) { excesses.follow_flip(h); });
 }
 
 } // namespace internal

@@ -12,13 +12,14 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -76,29 +77,41 @@ Site balanced_site(const Working_mesh<UserMesh>& mesh,
   return mesh.data(v).type == CURVE_VERTEX ? balanced_site_on_curve(mesh, v) : balanced_site_on_surface(mesh, v);
 }
 
+// Moves the vertices near which something has changed to the sites that `propose(vertex)` finds, if it does.
+template <typename UserMesh, typename Propose>
+std::size_t relocate_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since, const Propose& propose)
+{
+  typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
+  const std::size_t before = mesh.counts().relocations;
+  propose_and_accept_in_waves(mesh, movable_vertices(mesh, since), propose,
+                              [&](const vertex_descriptor v, const std::optional<Site>& site)
+  {
+    if(site && is_relocation_free(mesh, v, *site))
+      mesh.relocate(v, *site);
+  });
+  return mesh.counts().relocations - before;
+}
+
 template <typename UserMesh>
 std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
-  const std::size_t before = mesh.counts().relocations;
-  for(const auto v : movable_vertices(mesh, since))
+  typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
+  return relocate_vertices(mesh, since, [&](const vertex_descriptor v) -> std::optional<Site>
   {
-    if(mesh.is_stopped())
-      break;
     const Site& old_site = mesh.data(v).site;
     const Site site = balanced_site(mesh, v);
     if((site.point - old_site.point).norm() < least_move * old_site.size)
-      continue;
+      return std::nullopt;
     if(mesh.data(v).type == CURVE_VERTEX && !is_curve_move_faithful(mesh, v, site.parameter))
-      continue;
+      return std::nullopt;
     Star star(mesh.reference(), Star::MEAN);
     star.add(mesh, v);
     // the centroid makes good triangles on the whole; a mild loss of the worst is allowed above this
     constexpr double good_score = 0.6;
-    if(is_score_acceptable(star.worth(site).score, star.worth(old_site).score, good_score)
-       && is_relocation_free(mesh, v, site))
-      mesh.relocate(v, site);
-  }
-  return mesh.counts().relocations - before;
+    if(!is_score_acceptable(star.worth(site).score, star.worth(old_site).score, good_score))
+      return std::nullopt;
+    return site;
+  });
 }
 
 // the site with the least badness among those on the curve of v, between its neighbours
@@ -149,25 +162,22 @@ Site better_site(const Working_mesh<UserMesh>& mesh, const typename Working_mesh
 template <typename UserMesh>
 std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
+  typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
   // of the badness: a smaller gain is not worth a move, and the sweeps come to rest
   constexpr double least_gain = 0.02;
-  const std::size_t before = mesh.counts().relocations;
-  for(const auto v : movable_vertices(mesh, since))
+  return relocate_vertices(mesh, since, [&](const vertex_descriptor v) -> std::optional<Site>
   {
-    if(mesh.is_stopped())
-      break;
     Star star(mesh.reference(), Star::MEAN);
     star.add(mesh, v);
     const Site& old_site = mesh.site(v);
     const Site site = better_site(mesh, v, star);
     if(site.point == old_site.point)
-      continue;
+      return std::nullopt;
     const Star::Badness before_move = star.badness(old_site), after_move = star.badness(site);
-    if(is_no_worse(after_move.worst, before_move.worst) && after_move.sum < (1. - least_gain) * before_move.sum
-       && is_relocation_free(mesh, v, site))
-      mesh.relocate(v, site);
-  }
-  return mesh.counts().relocations - before;
+    if(!is_no_worse(after_move.worst, before_move.worst) || after_move.sum >= (1. - least_gain) * before_move.sum)
+      return std::nullopt;
+    return site;
+  });
 }
 
 } // namespace internal

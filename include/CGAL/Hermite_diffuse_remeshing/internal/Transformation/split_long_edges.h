@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 
 #include <algorithm>
 #include <vector>
@@ -100,14 +101,14 @@ std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bou
   const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h)
                                    { return mesh.has_changed(h, since) && !mesh.is_protected(h)
                                             && (mesh.relative_length(h) > bound || !is_faithful(mesh, h)); });
-  for(const auto& candidate : queue)
+  // splits move no vertex, and the faces that they make have the hints of their origin: middles stay
+  propose_and_accept(mesh, queue.begin(), queue.end(), [&](const auto& candidate)
+                     { return mesh.is_full() ? Site() : middle_site(mesh, candidate.halfedge); },
+                     [&](const auto& candidate, const Site& site, std::size_t)
   {
-    if(mesh.is_stopped() || mesh.is_full())
-      break;
-    const Site site = middle_site(mesh, candidate.halfedge);
     if(is_split_legal(mesh, candidate.halfedge, site) && is_split_free(mesh, candidate.halfedge, site))
       mesh.split_edge(candidate.halfedge, site);
-  }
+  });
   return mesh.counts().splits - before;
 }
 

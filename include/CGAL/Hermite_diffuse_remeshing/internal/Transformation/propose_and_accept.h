@@ -1,0 +1,107 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_PROPOSE_AND_ACCEPT_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_PROPOSE_AND_ACCEPT_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// Most of the time of an operator goes into looking at its candidates, which changes nothing. With threads many of
+// them are looked at ahead; the calling thread alone changes the mesh, in the order of the candidates.
+
+// Calls `accept(candidate, propose(candidate), since)` for one candidate after the other, until the visitor asks for a
+// stop. `propose()` reads only, and is called ahead if the mesh is remeshed by several threads: `since` is the number
+// of changes then, and `accept()` has to see to it that the proposal is what would be proposed now.
+template <typename UserMesh, typename Iterator, typename Propose, typename Accept>
+void propose_and_accept(const Working_mesh<UserMesh>& mesh, const Iterator first, const Iterator last,
+                        const Propose& propose, const Accept& accept)
+{
+  if(!mesh.is_parallel())
+  {
+    for(Iterator it = first; it != last && !mesh.is_stopped(); ++it)
+      accept(*it, propose(*it), mesh.number_of_changes());
+    return;
+  }
+  // proposals grow old while earlier ones are accepted, and a stop has to wait for all
+  constexpr std::ptrdiff_t block_size = 2048;
+  struct Proposal { std::decay_t<decltype(propose(*first))> value; };   // no vector of bits, which threads share
+  std::vector<Proposal> proposals;
+  for(Iterator begin = first; begin != last; )
+  {
+    const int n = static_cast<int>((std::min)(block_size, std::ptrdiff_t(last - begin)));
+    const std::size_t since = mesh.number_of_changes();
+    proposals.resize(n);
+    for_each_index(n, true, [&] { return [&](const int i) { proposals[i].value = propose(begin[i]); }; });
+    for(int i = 0; i < n; ++i, ++begin)
+    {
+      if(mesh.is_stopped())
+        return;
+      accept(*begin, proposals[i].value, since);
+    }
+  }
+}
+
+// Same for vertices where a proposal depends on the neighbours, and `accept(vertex, proposal)` changes the vertex alone.
+// They are taken in waves: no two of a wave are neighbours, and a neighbour that comes before a vertex in `vertices`
+// is in an earlier wave. So proposals are what they would be if the vertices were taken one after the other.
+template <typename UserMesh, typename Propose, typename Accept>
+void propose_and_accept_in_waves(const Working_mesh<UserMesh>& mesh,
+                                 const std::vector<typename Working_mesh<UserMesh>::vertex_descriptor>& vertices,
+                                 const Propose& propose, const Accept& accept)
+{
+  typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
+  // many enough for long waves, few enough for the cache
+  constexpr std::size_t window_size = 4096;
+  std::vector<int> wave(mesh.number_of_vertex_slots(), -1);       // -1: not in the window
+  std::vector<std::pair<int, vertex_descriptor> > window;
+  for(std::size_t first = 0; first < vertices.size(); first += window_size)
+  {
+    window.clear();
+    const std::size_t last = (std::min)(vertices.size(), first + window_size);
+    for(std::size_t i = first; i < last; ++i)
+    {
+      int latest = -1;
+      mesh.visit_copies(vertices[i], [&](const vertex_descriptor copy)
+      {
+        for(const auto h : CGAL::halfedges_around_target(copy, mesh.tmesh()))
+          latest = (std::max)(latest, wave[mesh.index(source(h, mesh.tmesh()))]);
+      });
+      wave[mesh.index(vertices[i])] = latest + 1;
+      window.push_back(std::make_pair(latest + 1, vertices[i]));
+    }
+    std::stable_sort(window.begin(), window.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(auto begin = window.begin(); begin != window.end(); )
+    {
+      const auto end = std::find_if(begin, window.end(), [&](const auto& entry) { return entry.first != begin->first; });
+      propose_and_accept(mesh, begin, end, [&](const auto& entry) { return propose(entry.second); },
+                         [&](const auto& entry, const auto& proposal, std::size_t) { accept(entry.second, proposal); });
+      if(mesh.is_stopped())
+        return;
+      begin = end;
+    }
+    for(std::size_t i = first; i < last; ++i)
+      wave[mesh.index(vertices[i])] = -1;
+  }
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_PROPOSE_AND_ACCEPT_H
