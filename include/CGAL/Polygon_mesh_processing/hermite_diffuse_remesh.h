@@ -192,7 +192,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{number_of_iterations}
  *     \cgalParamDescription{upper bound of the passes of the adaptation, which ends by itself when nothing is
- *       left to do}
+ *       left to do; it holds for each of the levels of sizes, from coarse to fine, that a mesh with many
+ *       faces is made by}
  *     \cgalParamType{`unsigned int`, at least 1}
  *     \cgalParamDefault{`10`}
  *   \cgalParamNEnd

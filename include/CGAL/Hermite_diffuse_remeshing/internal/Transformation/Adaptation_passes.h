@@ -28,14 +28,19 @@ namespace internal {
 template <typename UserMesh>
 class Adaptation_passes
 {
+protected:
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
   static constexpr double negligible_part = 5e-4;
+  // and in a mesh that has been refined from a coarser one, which is regular
+  static constexpr double negligible_part_of_refined = 2e-3;
+  // In such a mesh vertices need not go to the middle of their neighbours again and again, which on a rough surface
+  // does not come to rest: the optimisation has better places.
+  static constexpr int number_of_balancing_passes_of_refined = 2;
   // of the faces: where fewer changes are made in a pass, faces are still near where they were at its beginning
   static constexpr double considerable_part = 0.02;
   // of the faces that have changed, where only a part of the mesh is adapted again
   static constexpr double negligible_part_of_changed = 0.01;
 
-protected:
   Working_mesh<UserMesh>& m_mesh;
   int m_number_of_iterations = 0;
   // changes of the mesh when an operator last began
@@ -49,6 +54,7 @@ protected:
   // `since_change`: all changes that count
   Stop_reason run_passes(const int first_iteration, const int number_of_iterations, const std::size_t since_change)
   {
+    const bool is_refined = first_iteration == Length_band::first_wide_pass && since_change == 0;
     Stop_reason reason = ITERATION_BOUND;
     for(int i = first_iteration; i < first_iteration + number_of_iterations && reason == ITERATION_BOUND; ++i)
     {
@@ -57,12 +63,13 @@ protected:
       std::size_t changes = split_long_edges(m_mesh, longest, since_change);
       changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
       changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_valence(m_mesh, since); });
-      since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
+      if(!is_refined || i < first_iteration + number_of_balancing_passes_of_refined)
+        since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
       if(changes > considerable_part * m_mesh.number_of_faces())
         update_hints();
       report_progress(double(i + 1 - first_iteration) / number_of_iterations);
       // a mesh that is full at first may have room after the collapses
-      if(i > 0 && is_negligible(changes, since_change))
+      if(i > 0 && is_negligible(changes, is_refined ? negligible_part_of_refined : negligible_part, since_change))
         reason = CONVERGED;
       if(m_mesh.is_stopped())
         reason = STOPPED_BY_VISITOR;
@@ -90,9 +97,9 @@ protected:
   }
 
   // since > 0: where only what has changed since then is adapted
-  bool is_negligible(const std::size_t changes, const std::size_t since) const
+  bool is_negligible(const std::size_t changes, const double part, const std::size_t since) const
   {
-    return changes <= negligible_part * m_mesh.number_of_faces()
+    return changes <= part * m_mesh.number_of_faces()
         || (since > 0 && changes <= negligible_part_of_changed * number_of_changed_faces(m_mesh, since));
   }
 

@@ -9,7 +9,6 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REMESHER_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REMESHER_H
 
-
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Adaptation_passes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Length_band.h>
@@ -82,7 +81,7 @@ public:
         since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_score(m_mesh, since); });
       changes += since_last(m_improved_at, [&](const std::size_t since) { return improve_vertices(m_mesh, since); });
       Base::report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
-      if(m_mesh.is_stopped() || Base::is_negligible(changes, since_change))
+      if(m_mesh.is_stopped() || Base::is_negligible(changes, Base::negligible_part, since_change))
         break;
     }
     return m_mesh.is_stopped() ? STOPPED_BY_VISITOR : reason;
