@@ -39,8 +39,8 @@ struct Deviations
 
   // Distances are measured at points. Between them they are larger by this part at most: by 1 % for the grid on which
   // the height over a face is looked for, and the rest for what the model has between its points and what a cubic
-  // does not tell of it. CGAL's distances are up to 2.5 % above those at the points.
-  static constexpr double unseen_part = 0.04;
+  // does not tell of it. CGAL's distances are up to 3 % above those at the points, and 4.5 % on coarse slivers.
+  static constexpr double unseen_part = 0.05;
 
   std::vector<Face_deviation<face_descriptor> > faces;
   double largest = 0., mean = 0.;       // the mean: of the faces'
