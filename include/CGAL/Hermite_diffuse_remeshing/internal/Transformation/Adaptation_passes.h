@@ -17,6 +17,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -31,6 +32,8 @@ class Adaptation_passes
 protected:
   // of the faces: fewer changes than this in a pass are the last ripples of the swaps
   static constexpr double negligible_part = 5e-4;
+  // and in a small mesh this number: a few edges may be split and collapsed in turn
+  static constexpr double negligible_number = 4.;
   // and in a mesh that has been refined from a coarser one, which is regular
   static constexpr double negligible_part_of_refined = 2e-3;
   // In such a mesh vertices need not go to the middle of their neighbours again and again, which on a rough surface
@@ -99,7 +102,7 @@ protected:
   // since > 0: where only what has changed since then is adapted
   bool is_negligible(const std::size_t changes, const double part, const std::size_t since) const
   {
-    return changes <= part * m_mesh.number_of_faces()
+    return changes <= (std::max)(negligible_number, part * double(m_mesh.number_of_faces()))
         || (since > 0 && changes <= negligible_part_of_changed * number_of_changed_faces(m_mesh, since));
   }
 
