@@ -29,9 +29,10 @@ namespace internal {
 
 // Hunts the worst faces of the whole mesh one by one, from a queue, with every operator and their short
 // combinations. An operation is done if the worst face that it makes is better than the worst of those
-// that it replaces, so the smallest score and the smallest quality of the mesh never fall. Every step
-// raises a score by the margin at least, and a face for which none is found waits until something changes
-// beside it; as many small steps would take too long, the number of tries is bounded too: the hunt ends.
+// that it replaces, so the smallest quality of the mesh never falls, nor does the smallest score, but for needles that
+// give way to better triangles. Every step raises a score by the margin or doubles a quality at least, and a face for
+// which none is found waits until something changes beside it; as many small steps would take too long, the
+// number of tries is bounded too: the hunt ends.
 template <typename UserMesh>
 class Worst_face_hunt
 {
