@@ -43,18 +43,6 @@ inline double dihedral_deviation(const Indexed_triangles& surface, const int fac
   return angle_between(n1, n2);
 }
 
-// a crease has so many edges
-constexpr int least_number_of_edges = 6;
-
-// may be noise
-inline bool is_slightly_sharp(const Indexed_triangles& surface, const Edge_table& edges, const int e,
-                              const double sharp_angle, const std::vector<Edge_class>& classes)
-{
-  constexpr double clearly_sharp = 1.5;
-  return classes[e] == SHARP_EDGE
-      && dihedral_deviation(surface, edges.side(e, 0).face, edges.side(e, 1).face) < clearly_sharp * sharp_angle;
-}
-
 // On scans and coarse meshes single edges pass the limit by noise. A connected set of feature edges is
 // taken for noise if all of these hold: it has only sharp edges, and fewer than six; it has a free
 // end, a vertex with no second feature edge; none of its angles is 1.5 times the limit or more. A
@@ -62,6 +50,9 @@ inline bool is_slightly_sharp(const Indexed_triangles& surface, const Edge_table
 inline void discard_isolated_sharp_edges(const Indexed_triangles& surface, const Edge_table& edges,
                                          const double sharp_angle, std::vector<Edge_class>& classes)
 {
+  constexpr int least_number_of_edges = 6;
+  constexpr double clearly_sharp = 1.5;
+
   std::vector<std::vector<int> > edges_of_vertex(surface.number_of_vertices());
   for(int e = 0; e < edges.number_of_edges(); ++e)
     if(is_feature(classes[e]))
@@ -80,7 +71,9 @@ inline void discard_isolated_sharp_edges(const Indexed_triangles& surface, const
     for(std::size_t i = 0; i < component.size(); ++i)
     {
       const int e = component[i];
-      is_noise = is_noise && is_slightly_sharp(surface, edges, e, sharp_angle, classes);
+      is_noise = is_noise && classes[e] == SHARP_EDGE
+              && dihedral_deviation(surface, edges.side(e, 0).face, edges.side(e, 1).face)
+                 < clearly_sharp * sharp_angle;
       for(const int v : edges.vertices(e))
       {
         has_free_end = has_free_end || edges_of_vertex[v].size() == 1;
@@ -96,47 +89,6 @@ inline void discard_isolated_sharp_edges(const Indexed_triangles& surface, const
       for(const int e : component)
         classes[e] = INTERIOR_EDGE;
   }
-}
-
-// A branch of the features from a free end to a vertex where features meet is noise under the same conditions: it has
-// only sharp edges, fewer than six, and none is clearly sharp. The shortest go first: of the arms of a crease with a
-// spur the spur is.
-inline void discard_sharp_branches(const Indexed_triangles& surface, const Edge_table& edges,
-                                   const double sharp_angle, std::vector<Edge_class>& classes)
-{
-  std::vector<std::vector<int> > edges_of_vertex(surface.number_of_vertices());
-  for(int e = 0; e < edges.number_of_edges(); ++e)
-    if(is_feature(classes[e]))
-      for(const int v : edges.vertices(e))
-        edges_of_vertex[v].push_back(e);
-
-  std::vector<int> branch;
-  for(int largest_number = 1; largest_number < least_number_of_edges; ++largest_number)
-    for(int free_end = 0; free_end < surface.number_of_vertices(); ++free_end)
-    {
-      if(edges_of_vertex[free_end].size() != 1)
-        continue;
-      branch.clear();
-      int v = free_end, e = edges_of_vertex[v].front();
-      for(;;)
-      {
-        branch.push_back(e);
-        v = edges.opposite_vertex(e, v);
-        if(edges_of_vertex[v].size() != 2 || int(branch.size()) == largest_number)
-          break;
-        e = edges_of_vertex[v].front() == e ? edges_of_vertex[v].back() : edges_of_vertex[v].front();
-      }
-      if(edges_of_vertex[v].size() < 3
-         || !std::all_of(branch.begin(), branch.end(), [&](const int e)
-                         { return is_slightly_sharp(surface, edges, e, sharp_angle, classes); }))
-        continue;
-      for(const int e : branch)
-      {
-        classes[e] = INTERIOR_EDGE;
-        for(const int w : edges.vertices(e))
-          edges_of_vertex[w].erase(std::find(edges_of_vertex[w].begin(), edges_of_vertex[w].end(), e));
-      }
-    }
 }
 
 // `edge_mark(face, side)` is what the user says of an edge; the stronger word of its two sides counts.
@@ -177,7 +129,6 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
     }
   }
   Needles(surface, edges, sharp_angle, classes, may_be_sharp).smooth();
-  discard_sharp_branches(surface, edges, sharp_angle, classes);
   discard_isolated_sharp_edges(surface, edges, sharp_angle, classes);
   return classes;
 }

@@ -87,7 +87,8 @@ public:
         const std::array<int, 2>& ends = edges.vertices(static_cast<int>(e));
         m_frozen.add_edge(ends[0], ends[1], (m_samples.position(ends[1]) - m_samples.position(ends[0])).norm());
       }
-    refine();
+    // What large cells pass on along their sides is lower than what holds after they are bisected.
+    refine([this] { grade(); });
     // From now on the mesh changes, and a field that refers to it with it: what has been read is
     // all that is known.
     m_sources.forget_user_size();
@@ -131,12 +132,16 @@ public:
                        [this](const int i) { return m_sizes[i] > (1. + margin) * m_samples.cap(i); });
   }
 
-  // bisects cells until each is small against the size or the size is linear in it
-  void refine()
+  // Bisects cells until each is small against the size or the size is linear in it, after sizes have been lowered.
+  void refine() { refine([this] { grade_again(); }); }
+
+private:
+  template <typename Grade>
+  void refine(const Grade& grade)
   {
     for(int round = 0; round < maximum_number_of_rounds; ++round)
     {
-      grade_again();
+      grade();
       bool is_refined = false;
       const int number_of_cells = m_cells.number_of_cells();
       for(int c = 0; c < number_of_cells; ++c, m_progress(0.))
@@ -149,9 +154,10 @@ public:
         break;
     }
     if(!m_sizes.is_up_to_date())
-      grade_again();
+      grade();
   }
 
+public:
   // number of equilateral triangles with the size of the map on the faces that are selected
   template <typename IsSelected>
   double number_of_faces(const IsSelected& is_selected) const

@@ -52,9 +52,9 @@ class Worst_face_hunt
     Search search = BEST_SCORE;
     Kind kind = NOTHING;
     Worth after{-1., 0.};
-    halfedge_descriptor halfedge = {};
-    vertex_descriptor vertex = {};
-    Site site = {};
+    halfedge_descriptor halfedge = halfedge_descriptor();
+    vertex_descriptor vertex = vertex_descriptor();
+    Site site = Site();
     std::variant<Vertex_removal<UserMesh>, Edge_removal<UserMesh>, Curve_vertex_removal<UserMesh> > removal = {};
   };
 
@@ -259,7 +259,7 @@ private:
     Removal removal;
     const Worth after = removal.plan(m_mesh, element);
     if(improves(after, before, plan))
-      offer({plan.search, REMOVAL, after, {}, {}, {}, removal}, plan);
+      offer({plan.search, REMOVAL, after, halfedge_descriptor(), vertex_descriptor(), Site(), removal}, plan);
   }
 
   void plan_removals(const halfedge_descriptor h, Plan& plan) const
