@@ -29,8 +29,7 @@ namespace Polygon_mesh_processing {
  * An edge is sharp if the normals of its two faces differ by more than `sharp_dihedral_angle`. On scans and
  * coarse meshes single edges pass this limit by noise, so a connected set of feature edges is not taken if
  * it has only sharp edges and fewer than six of them, has an end at which no other feature edge begins,
- * and all of its angles are less than 1.5 times the limit. A branch from such an end to the next vertex where
- * features meet is not taken under the same conditions.
+ * and all of its angles are less than 1.5 times the limit.
  *
  * Takes time proportional to the number of faces, but for a logarithmic factor.
  *
