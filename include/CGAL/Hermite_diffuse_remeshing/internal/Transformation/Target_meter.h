@@ -77,6 +77,7 @@ public:
       return start == -1 || other.distance2 < result.distance2 ? other : result;
     };
     int last = -1;
+    double largest = 0.;
     for(Deviation_target& target : m_targets.targets())
     {
       if(target.face != -1)
@@ -86,9 +87,12 @@ public:
       const Closest at_target = closest(target.point, near != -1 ? near : last);
       target.face = near = last = get(m_index, at_target.face);
       add_target(target.point, at_target, target.location);
-      if(at_target.distance2 > CGAL::square(part_to_look_around * m_bound)
+      // Above the bound it matters no more how far a point is, but for the farthest.
+      const double distance = std::sqrt(at_target.distance2);
+      if(distance > part_to_look_around * m_bound && (distance <= m_bound || distance > largest)
          && m_targets.number_of_parts(target.location) > 1)
         climb(target, at_target, closest);
+      largest = (std::max)(largest, distance);
     }
   }
 
