@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_SIZE_MAP_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/closest_barycentric.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Curve_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Graded_sizes.h>
