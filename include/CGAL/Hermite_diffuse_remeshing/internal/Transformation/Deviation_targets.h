@@ -125,7 +125,7 @@ private:
         if(!is_remeshed(f))
           return;
         heights[f] = height_of_model(f);
-        m_parts[f] = count_parts(f, heights[f]);
+        m_parts[f] = count_parts(f, (std::max)(heights[f], height_of_sides(f)));
       };
     }, progress);
     note_model_distances(heights);
