@@ -241,7 +241,6 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   typedef Default_remeshing_visitor<Mesh> Default_visitor;
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
     Visitor_reference;
-  typedef Supervisor<Mesh, std::remove_reference_t<Visitor_reference> > Watched_visitor;
   static_assert(std::is_floating_point<typename GT::FT>::value,
                 "hermite_diffuse_remesh_triangle_soup() needs a kernel with floating point coordinates");
 
@@ -283,11 +282,11 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   report.smallest_input_quality = report.smallest_quality = quality.smallest;
   report.mean_input_quality = report.mean_quality = quality.mean;
   report.maximum_deviation = size_options.maximum_deviation;
-  Watched_visitor watched(visitor, report, maximum_running_time);
+  Supervisor_of_visitor<Mesh, std::remove_reference_t<Visitor_reference> > watched(visitor, report, maximum_running_time);
 
   typedef typename boost::property_map<Mesh, CGAL::vertex_point_t>::type VPM;
   typedef Static_boolean_property_map<edge_descriptor, false> ECM;
-  const User_mesh<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT, Watched_visitor>
+  const User_mesh<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT, Supervisor<Mesh> >
     user{mesh, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt, watched};
   run_stages(user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
              Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations),

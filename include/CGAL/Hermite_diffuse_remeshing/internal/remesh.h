@@ -74,9 +74,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   typedef Default_remeshing_visitor<TriangleMesh> Default_visitor;
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
     Visitor_reference;
-  typedef std::remove_reference_t<Visitor_reference> Visitor;
-  typedef Supervisor<TriangleMesh, Visitor> Watched_visitor;
-  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Watched_visitor> User;
+  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Supervisor<TriangleMesh> > User;
 
   const VPM vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
                                    get_property_map(CGAL::vertex_point, tmesh));
@@ -103,7 +101,8 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   describe_input(input, is_selected, report);
   const std::vector<Repair> repairs = plan_repairs(input, pack, is_remeshed, report);
   report.maximum_deviation = size_options.maximum_deviation;
-  Watched_visitor watched(visitor, report, maximum_running_time);
+  Supervisor_of_visitor<TriangleMesh, std::remove_reference_t<Visitor_reference> >
+    watched(visitor, report, maximum_running_time);
 
   const User user{tmesh, vpm, ecm, fpm, input.traits, watched};
   run_stages(user, input.face_descriptors, input.side_marks, is_remeshed,

@@ -110,6 +110,7 @@ public:
   {
     Location location;
     Local_quadric quadric;
+    bool is_foot = false;     // else a border or a feature has stopped it, or it has not converged
   };
 
   Projection project(const Vector& p, const int hint, const double tolerance = 1e-6) const
@@ -117,8 +118,10 @@ public:
     return project_from(p, walk(p, hint), tolerance);
   }
 
-  // same, with a start for Newton's method
-  Projection project_from(const Vector& p, const Location& start, const double tolerance) const
+  // same, with a start for Newton's method. Whom the distance alone concerns is content with less: the height of p
+  // above the tangent plane, where that is the distance up to `part_of_distance` of it.
+  Projection project_from(const Vector& p, const Location& start, const double tolerance,
+                          const double part_of_distance = 0.) const
   {
     constexpr int maximum_number_of_steps = 30;
     // a step far below the tolerance; one just below it may still be the one that reaches it
@@ -128,8 +131,11 @@ public:
     best.quadric = m_surface.evaluate(best.location);
     double best_residual = tangential_residual(best.quadric, p);
     Projection current = best;
-    for(int step = 0; step < maximum_number_of_steps && best_residual > tolerance; ++step)
+    for(int step = 0; step < maximum_number_of_steps; ++step)
     {
+      best.is_foot = best_residual <= tolerance || is_height_distance(best.quadric, best_residual, p, part_of_distance);
+      if(best.is_foot)
+        break;
       const Vector target = base_point_of_foot(current.quadric, p);
       const Location location = walk_along(target, current.location.face, current.quadric.z_axis);
       if((m_surface.triangles().point(location) - current.quadric.origin).norm()
@@ -177,6 +183,16 @@ private:
     const Vector r = p - quadric.point();
     const Vector n = quadric.normal();
     return (r - r.dot(n) * n).norm() / quadric.size;
+  }
+
+  // At s along the surface from the foot the height above the tangent plane differs from the distance by k s^2 / 2,
+  // k the curvature.
+  static bool is_height_distance(const Local_quadric& quadric, const double s, const Vector& p, const double part)
+  {
+    const std::array<double, 6>& a = quadric.a;
+    const double largest_curvature = std::sqrt(4.*a[3]*a[3] + 2.*a[4]*a[4] + 4.*a[5]*a[5]);
+    const double height = std::abs((p - quadric.point()).dot(quadric.normal())) / quadric.size;
+    return largest_curvature * s * s / 2. <= part * height;
   }
 
   // foot of p on the quadratic part of the fit, moved back to the plane of the frame

@@ -95,19 +95,19 @@ struct Reference
   Nearest nearest(const Vector& p, const Location& start, const double tolerance) const
   {
     constexpr int maximum_number_of_steps = 10;
+    constexpr double part_of_distance = 0.01;   // no more is promised of a distance that is an upper bound
     Nearest best{start, std::numeric_limits<double>::infinity()};
     Vector displacement = feature_displacement(start);
     Location location = start;
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
       const Reference_locator::Projection projection =
-        locator.project_from(p - displacement, location, tolerance);
+        locator.project_from(p - displacement, location, tolerance, part_of_distance);
       const Vector normal = projection.quadric.normal();
       Vector gap = p - displacement - projection.quadric.point();
       // what is left along the surface when Newton's method has converged is no distance
-      const Vector residual = gap - gap.dot(normal) * normal;
-      if(residual.norm() <= 2. * tolerance * projection.quadric.size)
-        gap -= residual;
+      if(projection.is_foot)
+        gap = gap.dot(normal) * normal;
       location = projection.location;
       const Vector change = feature_displacement(location) - displacement;
       const double distance = (gap - change).norm();
