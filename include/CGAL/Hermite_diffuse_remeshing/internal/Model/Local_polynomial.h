@@ -10,7 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 
 #include <Eigen/Core>
-#include <Eigen/QR>
+#include <Eigen/Householder>
 
 #include <algorithm>
 #include <array>
@@ -211,27 +211,33 @@ public:
   {
     const Eigen::Index n = positions.rows();
     const int number_of_unknowns = size - first;
-    Eigen::MatrixXd matrix(n, number_of_unknowns);
-    Eigen::VectorXd rhs(n);
+    Eigen::MatrixXd matrix(n, number_of_unknowns + 1);          // the right hand side in the last column
     for(Eigen::Index i = 0; i < n; ++i)
     {
       const Monomials m = monomials(positions(i, 0), positions(i, 1));
       const double root = std::sqrt(positions(i, 3));
       for(int j = 0; j < number_of_unknowns; ++j)
         matrix(i, j) = root * m[first + j];
-      rhs[i] = root * positions(i, 2);
+      matrix(i, number_of_unknowns) = root * positions(i, 2);
     }
-    const Eigen::VectorXd scale = matrix.colwise().norm();
+    const Eigen::VectorXd scale = matrix.leftCols(number_of_unknowns).colwise().norm();
     if(n < number_of_unknowns || !(scale.minCoeff() > 0.))
       return 0.;
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(matrix * scale.cwiseInverse().asDiagonal());
-    const double least = qr.matrixQR().diagonal().cwiseAbs().minCoeff();
+    matrix.leftCols(number_of_unknowns).array().rowwise() /= scale.transpose().array();
+    triangularize(matrix);
+    const double least = matrix.diagonal().head(number_of_unknowns).cwiseAbs().minCoeff();
     if(!(least > 0.))
       return 0.;
-    const Eigen::VectorXd solution = qr.solve(rhs);
     m_coefficients.setZero();
+    for(int k = number_of_unknowns - 1; k >= 0; --k)
+    {
+      double rest = matrix(k, number_of_unknowns);
+      for(int j = k + 1; j < number_of_unknowns; ++j)
+        rest -= matrix(k, j) * m_coefficients[first + j];
+      m_coefficients[first + k] = rest / matrix(k, k);
+    }
     for(int j = 0; j < number_of_unknowns; ++j)
-      m_coefficients[first + j] = solution[j] / scale[j];
+      m_coefficients[first + j] /= scale[j];
     return least * least;
   }
 
@@ -284,6 +290,23 @@ private:
     if constexpr(e.factor_y != 0.)
       sum += e.factor_y * m_slope_moments[e.slope_y];
     return sum;
+  }
+
+  // Householder's reflections on all columns but the last. Eigen's class for them works in blocks, which take longer to
+  // compile than all the rest of the fit.
+  static void triangularize(Eigen::MatrixXd& matrix)
+  {
+    const Eigen::Index n = matrix.rows(), last = matrix.cols() - 1;
+    Eigen::VectorXd workspace(matrix.cols());
+    for(Eigen::Index k = 0; k < last; ++k)
+    {
+      const Eigen::Index rest = n - k - 1;
+      double factor, diagonal;
+      matrix.col(k).tail(rest + 1).makeHouseholderInPlace(factor, diagonal);
+      matrix(k, k) = diagonal;
+      matrix.bottomRightCorner(rest + 1, last - k)
+        .applyHouseholderOnTheLeft(matrix.col(k).tail(rest), factor, workspace.data());
+    }
   }
 
   static Monomials monomials(const double x, const double y)
