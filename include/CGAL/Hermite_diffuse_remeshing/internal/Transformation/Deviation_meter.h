@@ -59,8 +59,8 @@ public:
   // `bound`: deviations below it need no second look
   Deviation_meter(const Mesh& mesh, const double bound)
     : m_mesh(mesh), m_bound(bound / raised), m_index(make_index_map())
-    , m_targets(mesh.reference(), bound, [&mesh](const int f) { return mesh.is_reference_face_remeshed(f); },
-                progress())
+    , m_targets(mesh.reference(), bound, (std::max)(mesh.maximum_number_of_faces(), mesh.number_of_faces()),
+                [&mesh](const int f) { return mesh.is_reference_face_remeshed(f); }, progress())
   {
     m_deviations.model_distance = m_targets.model_distance();
   }

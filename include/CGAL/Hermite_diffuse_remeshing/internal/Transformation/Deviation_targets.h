@@ -70,13 +70,14 @@ class Deviation_targets
   static constexpr double largest_number_of_parts = 90.;
 
 public:
-  // `is_remeshed(face of the reference)`
+  // `is_remeshed(face of the reference)`; the mesh will not have more than `maximum_number_of_faces`.
   template <typename IsRemeshed>
-  Deviation_targets(const Reference& reference, const double bound, const IsRemeshed& is_remeshed,
-                    const Progress& progress)
+  Deviation_targets(const Reference& reference, const double bound, const std::size_t maximum_number_of_faces,
+                    const IsRemeshed& is_remeshed, const Progress& progress)
     : m_reference(reference), m_bound(bound), m_parts(triangles().number_of_faces(), 0)
   {
     find_parts(is_remeshed, progress.part(0., 0.));
+    limit_parts(double(maximum_number_of_faces));
     collect_vertices(progress);
     collect_curve_points(progress);
     collect_face_points(progress.part(0., 0.));
@@ -129,6 +130,21 @@ private:
       };
     }, progress);
     note_model_distances(heights);
+  }
+
+  // Where m faces lie over one of the reference, they deviate by 1/m of the height of the model, and with n parts of
+  // each side 1/n^2 of it is left between the points: n^2 = m / tolerance is enough for the m that there can be. A
+  // bound that needs more is not met.
+  void limit_parts(const double maximum_number_of_faces)
+  {
+    double sum = 0.;
+    for(const int n : m_parts)
+      sum += double(n) * n;
+    const double factor = std::sqrt(maximum_number_of_faces / (tolerance * sum));
+    if(!(factor < 1.))
+      return;
+    for(int& n : m_parts)
+      n = static_cast<int>(std::ceil(factor * n));
   }
 
   double height_of_model(const int f) const

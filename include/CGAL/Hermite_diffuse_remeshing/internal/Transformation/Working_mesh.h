@@ -103,6 +103,7 @@ public:
     if(is_stopped())
       throw Interrupted();
   }
+  std::size_t maximum_number_of_faces() const { return m_maximum_number_of_faces; }
   bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }
   void report_progress(const double fraction) { m_user.visitor.progress(fraction); }
 

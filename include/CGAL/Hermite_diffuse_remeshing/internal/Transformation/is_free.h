@@ -134,20 +134,50 @@ bool is_split_free(Working_mesh<UserMesh>& mesh,
                                                       : center_of_disc(mesh, source(h, tm)), made, replaced);
 }
 
+// the two faces of an edge, and those that a flip makes of them
+template <typename UserMesh>
+void add_flip(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h,
+              Numbered_triangles& made, Numbered_triangles& replaced)
+{
+  const auto& tm = mesh.tmesh();
+  const auto o = opposite(h, tm);
+  const auto c = target(next(h, tm), tm), d = target(next(o, tm), tm);
+  replaced.push_back(mesh.triangle(face(h, tm)));
+  made.push_back(with_corner(replaced.back(), mesh.index(target(h, tm)), mesh.index(d), mesh.point(d)));
+  replaced.push_back(mesh.triangle(face(o, tm)));
+  made.push_back(with_corner(replaced.back(), mesh.index(source(h, tm)), mesh.index(c), mesh.point(c)));
+}
+
 template <typename UserMesh>
 bool is_flip_free(Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
 {
   if(!mesh.is_guarded())
     return true;
-  const auto& tm = mesh.tmesh();
-  const auto o = opposite(h, tm);
-  const auto c = target(next(h, tm), tm), d = target(next(o, tm), tm);
+  const auto c = target(next(h, mesh.tmesh()), mesh.tmesh());
   Numbered_triangles made, replaced;
-  replaced.push_back(mesh.triangle(face(h, tm)));
-  replaced.push_back(mesh.triangle(face(o, tm)));
-  made.push_back(with_corner(replaced[0], mesh.index(target(h, tm)), mesh.index(d), mesh.point(d)));
-  made.push_back(with_corner(replaced[1], mesh.index(source(h, tm)), mesh.index(c), mesh.point(c)));
+  add_flip(mesh, h, made, replaced);
   return mesh.is_free(mesh.has_copies(c) ? Working_mesh<UserMesh>::Graph_traits::null_vertex() : c, made, replaced);
+}
+
+// the edge of h is flipped, and v, a vertex of its faces, moves
+template <typename UserMesh>
+bool is_flip_and_relocation_free(Working_mesh<UserMesh>& mesh,
+                                 const typename Working_mesh<UserMesh>::halfedge_descriptor h,
+                                 const typename Working_mesh<UserMesh>::vertex_descriptor v, const Site& site)
+{
+  if(!mesh.is_guarded())
+    return true;
+  Numbered_triangles made, replaced;
+  add_flip(mesh, h, made, replaced);
+  for(const Numbered_triangle& t : triangles_around(mesh, {v}))
+    if(std::none_of(replaced.begin(), replaced.end(), [&](const auto& other) { return other.vertices == t.vertices; }))
+    {
+      replaced.push_back(t);
+      made.push_back(t);
+    }
+  for(Numbered_triangle& t : made)
+    t = with_corner(t, mesh.index(v), mesh.index(v), site.point);
+  return mesh.is_free(center_of_disc(mesh, v), made, replaced);
 }
 
 // may contours take the place of the faces around vertices?

@@ -73,6 +73,8 @@ class Worst_face_hunt
   // of a triangle with an angle of five degrees, the normal of which turns by forty when a vertex moves by a
   // fourteenth of its length
   static constexpr double needle_quality = 0.1;
+  // Between corners that are close to each other a needle is the better the shorter it is.
+  static constexpr double shortest_length_to_split_of_needle = 0.25;
 
 public:
   // Faces with a better score, or with a better quality, are not worth a search.
@@ -88,7 +90,8 @@ public:
     {
       if(m_mesh.is_stopped_at(step++))
         return 0;
-      if(m_mesh.is_remeshed(f) && m_mesh.has_changed(f, since))
+      // what keeps a needle may be another sheet, which has gone since
+      if(m_mesh.is_remeshed(f) && (m_mesh.has_changed(f, since) || is_needle(halfedge(f, m_mesh.tmesh()))))
         push(halfedge(f, m_mesh.tmesh()));
     }
     std::size_t number = 0;
@@ -125,8 +128,10 @@ private:
   {
     const Plan plan = best_plan(h, BEST_SCORE);
     return execute(plan) || (plan.kind != NOTHING && execute(best_plan(h, BEST_FREE_SCORE)))
-        || (face_worth(m_mesh, h).quality < needle_quality && execute(best_plan(h, BEST_FREE_QUALITY)));
+        || (is_needle(h) && execute(best_plan(h, BEST_FREE_QUALITY)));
   }
+
+  bool is_needle(const halfedge_descriptor h) const { return face_worth(m_mesh, h).quality < needle_quality; }
 
   void push(const halfedge_descriptor h)
   {
@@ -162,17 +167,20 @@ private:
       plan_flip(side, plan);
       plan_relocation(target(side, tm), plan);
     }
-    if(plan.after.score < m_satisfying_score)
-      for(const halfedge_descriptor side : sides)
-      {
-        plan_collapse(side, plan);
-        plan_collapse(opposite(side, tm), plan);
+    if(plan.after.score >= m_satisfying_score)
+      return plan;
+    const double shortest_to_split = is_needle(h) ? shortest_length_to_split_of_needle : shortest_length_to_split;
+    for(const halfedge_descriptor side : sides)
+    {
+      plan_collapse(side, plan);
+      plan_collapse(opposite(side, tm), plan);
+      if(m_mesh.relative_length(side) >= shortest_to_split)
         plan_split(side, plan);
-        if(degree(target(side, tm), tm) > largest_degree)
-          continue;
-        plan_removals(side, plan);
-        plan_flips_and_relocation(target(side, tm), plan);
-      }
+      if(degree(target(side, tm), tm) > largest_degree)
+        continue;
+      plan_removals(side, plan);
+      plan_flips_and_relocation(target(side, tm), plan);
+    }
     return plan;
   }
 
@@ -235,7 +243,7 @@ private:
   void plan_split(const halfedge_descriptor h, Plan& plan) const
   {
     const auto& tm = m_mesh.tmesh();
-    if(!is_split_topologically_legal(m_mesh, h) || m_mesh.relative_length(h) < shortest_length_to_split)
+    if(!is_split_topologically_legal(m_mesh, h))
       return;
     Star star(m_mesh.reference(), Star::WORST);
     Worth before;
@@ -330,8 +338,8 @@ private:
     switch(plan.kind)
     {
       case NOTHING:              return false;
-      case FLIP:
-      case FLIP_AND_RELOCATION:  return is_flip_free(m_mesh, plan.halfedge);
+      case FLIP:                 return is_flip_free(m_mesh, plan.halfedge);
+      case FLIP_AND_RELOCATION:  return is_flip_and_relocation_free(m_mesh, plan.halfedge, plan.vertex, plan.site);
       case RELOCATION:           return is_relocation_free(m_mesh, plan.vertex, plan.site);
       case COLLAPSE:             return is_collapse_free(m_mesh, plan.halfedge, plan.site);
       case SPLIT:                return is_split_free(m_mesh, plan.halfedge, plan.site);
@@ -354,11 +362,6 @@ private:
       case REMOVAL:              std::visit([&](const auto& r) { r.execute(m_mesh); }, plan.removal); break;
       case FLIP_AND_RELOCATION:
         m_mesh.flip_edge(plan.halfedge);
-        if(!is_relocation_free(m_mesh, plan.vertex, plan.site))
-        {
-          m_mesh.flip_edge(plan.halfedge);      // back
-          return false;
-        }
         m_mesh.relocate(plan.vertex, plan.site);
         break;
     }
