@@ -192,8 +192,8 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
     if(is_settling)
     {
       remesher.optimise(CONVERGED, since_finished);
-      // each time, not at last: what it brings above the bound there are rounds left for
-      remesher.raise_worst(CONVERGED, satisfying_quality);
+      if(is_last)
+        remesher.raise_worst(CONVERGED, satisfying_quality);
       since_finished = mesh.number_of_changes();
       coarse_rounds = 0;
       ++settlements;
