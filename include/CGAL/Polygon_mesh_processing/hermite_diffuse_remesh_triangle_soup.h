@@ -286,9 +286,9 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
 
   typedef typename boost::property_map<Mesh, CGAL::vertex_point_t>::type VPM;
   typedef Static_boolean_property_map<edge_descriptor, false> ECM;
-  const User_mesh<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT, Supervisor<Mesh> >
-    user{mesh, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt, watched};
-  run_stages(user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
+  typedef User_mesh<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT, Supervisor<Mesh> > User;
+  const User user{mesh, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt, watched};
+  run_stages<User>(user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
              Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations),
                            choose_parameter(get_parameter(pack, internal_np::do_self_intersection_tests), true)},
              [&]

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -123,9 +124,8 @@ class Repair_planner
 
 public:
   // `is_free(face)`: may it be changed? `is_constrained(vertex)`: must it stay?
-  template <typename IsFree, typename IsConstrained>
   Repair_planner(const Indexed_triangles& input, const Side_marks& side_marks, const double resolution,
-                 const IsFree& is_free, const IsConstrained& is_constrained)
+                 const std::function<bool(int)>& is_free, const std::function<bool(int)>& is_constrained)
     : m_input(input), m_resolution(resolution)
   {
     m_mark = m_mesh.add_property_map<Connectivity::Edge_index, Edge_mark>("e:mark", UNMARKED_EDGE).first;

@@ -105,7 +105,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
     watched(visitor, report, maximum_running_time);
 
   const User user{tmesh, vpm, ecm, fpm, input.traits, watched};
-  run_stages(user, input.face_descriptors, input.side_marks, is_remeshed,
+  run_stages<User>(user, input.face_descriptors, input.side_marks, is_remeshed,
              Stage_options{size_options, maximum_number_of_faces, static_cast<int>(iterations), is_guarded},
              [&] { return read_model<ConcurrencyTag>(input, pack, watched.progress_of_stage()); },
              [&]

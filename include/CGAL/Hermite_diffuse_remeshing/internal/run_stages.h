@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -48,11 +49,15 @@ void describe_preparation(const Input_model& model, const Size_map& sizes, const
 // The whole method, in the order of the paper: the input is classified and fitted, sizes follow from the
 // curvature, then the mesh is adapted to them, improved, and measured against the fit.
 // `make_model()` returns the model; `begin_changes()` is called before the first change of the mesh, whose faces are
-// those of the reference from then on; `write_result(working_mesh, deviations)` at the end.
-template <typename User, typename MakeModel, typename BeginChanges, typename WriteResult>
+// those of the reference from then on; `write_result(working_mesh, deviations)` at the end. Their types depend on the
+// named parameters of the call, of which all of this is to be compiled but once.
+template <typename User>
 void run_stages(const User& user, const std::vector<typename Working_mesh<User>::face_descriptor>& face_descriptors,
                 const Side_marks& marks, const std::vector<char>& is_remeshed, const Stage_options& options,
-                const MakeModel& make_model, const BeginChanges& begin_changes, const WriteResult& write_result,
+                const std::function<std::unique_ptr<Input_model>()>& make_model,
+                const std::function<void()>& begin_changes,
+                const std::function<void(const Working_mesh<User>&,
+                                         const decltype(Deviations<User>::faces)&)>& write_result,
                 Remeshing_report<typename User::TriangleMesh>& report)
 {
   auto& watched = user.visitor;

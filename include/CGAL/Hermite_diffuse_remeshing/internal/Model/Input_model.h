@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_locator.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct Feature_options
   double sharp_angle, corner_angle, apex_defect;
 };
 
+// what the user says of the edge at a side of a face, and of a vertex; not as types, for which all that follows would
+// be compiled anew
+typedef std::function<Edge_mark(int face, int side)> Read_edge_mark;
+typedef std::function<bool(int vertex)> Read_vertex_constraint;
+
 // What is derived from the input alone: classified, cut, chained and fitted.
 struct Input_surface
 {
@@ -35,11 +41,9 @@ struct Input_surface
   Feature_curves curves;
   Reference_surface surface;
 
-  // `edge_mark(face, side)`, `is_vertex_constrained(vertex)`: the user's features;
   // `vertex_normals`: unit normals that the user knows, or zero, or no vector at all
-  template <typename EdgeMark, typename IsVertexConstrained>
   Input_surface(const Indexed_triangles& triangles, const Feature_options& features, const Model_options& options,
-                const EdgeMark& edge_mark, const IsVertexConstrained& is_vertex_constrained,
+                const Read_edge_mark& edge_mark, const Read_vertex_constraint& is_vertex_constrained,
                 const std::vector<Vector>& vertex_normals = std::vector<Vector>(),
                 const Progress& progress = Progress())
     : edges(triangles)
@@ -61,9 +65,8 @@ protected:
   static constexpr double before_cut = 0.1, before_curves = 0.15, before_fit = 0.2, before_search_tree = 0.8;
 
 private:
-  template <typename IsVertexConstrained>
   Reference_surface make_surface(const Indexed_triangles& triangles, const Feature_options& features,
-                                 const Model_options& options, const IsVertexConstrained& is_vertex_constrained,
+                                 const Model_options& options, const Read_vertex_constraint& is_vertex_constrained,
                                  const std::vector<Vector>& vertex_normals, const Progress& progress)
   {
     progress(before_cut);
@@ -83,9 +86,8 @@ struct Input_model : Input_surface
 {
   Reference_locator locator;
 
-  template <typename EdgeMark, typename IsVertexConstrained>
   Input_model(const Indexed_triangles& triangles, const Feature_options& features, const Model_options& options,
-              const EdgeMark& edge_mark, const IsVertexConstrained& is_vertex_constrained,
+              const Read_edge_mark& edge_mark, const Read_vertex_constraint& is_vertex_constrained,
               const std::vector<Vector>& vertex_normals = std::vector<Vector>(), const Progress& progress = Progress())
     : Input_surface(triangles, features, options, edge_mark, is_vertex_constrained, vertex_normals, progress)
     , locator(surface, progress.part(before_search_tree, 1.))
