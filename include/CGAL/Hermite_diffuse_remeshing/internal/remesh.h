@@ -106,16 +106,16 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
 
   const User user{tmesh, vpm, ecm, fpm, input.traits, watched};
   run_stages<User>(user, input.face_descriptors, input.side_marks, is_remeshed,
-             Stage_options{size_options, maximum_number_of_faces, static_cast<int>(iterations), is_guarded},
-             [&] { return read_model<ConcurrencyTag>(input, pack, watched.progress_of_stage()); },
-             [&]
-             {
-               if(!repairs.empty())
-                 watched.stage("repair", [&] { carry_out_repairs(repairs, user, input); });
-             },
-             [&](const auto& mesh, const auto& deviations)
-             { write_output_maps(mesh, deviations, input.face_descriptors, input.face_ranks, pack); },
-             report);
+                   Stage_options{size_options, maximum_number_of_faces, static_cast<int>(iterations), is_guarded},
+                   [&] { return read_model<ConcurrencyTag>(input, pack, watched.progress_of_stage()); },
+                   [&]
+                   {
+                     if(!repairs.empty())
+                       watched.stage("repair", [&] { carry_out_repairs(repairs, user, input); });
+                   },
+                   [&](const auto& mesh, const auto& deviations)
+                   { write_output_maps(mesh, deviations, input.face_descriptors, input.face_ranks, pack); },
+                   report);
   return report;
 }
 
