@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <set>
 
 namespace CGAL {
@@ -22,7 +23,8 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // Faces of a mesh that changes meanwhile, the one with the lowest score first. Equal ones come in the order of their
-// vertices' numbers, which is the same for every type of mesh.
+// vertices' numbers, which is the same for every type of mesh. A face for which nothing could be done a few times
+// waits until all others have had their turn, however often something changes beside it.
 template <typename UserMesh>
 class Face_queue
 {
@@ -40,20 +42,34 @@ class Face_queue
   };
 
   const Mesh& m_mesh;
-  std::set<Entry> m_entries;
+  std::set<Entry> m_entries, m_waiting;
+  std::map<std::array<int, 3>, int> m_number_of_failures;       // by corners
+
+  // One in five succeeds after so many failures; in a crowded fold there would be hundreds of tries.
+  static constexpr int patience = 2;
 
 public:
   explicit Face_queue(const Mesh& mesh) : m_mesh(mesh) {}
 
-  bool is_empty() const { return m_entries.empty(); }
-  std::size_t size() const { return m_entries.size(); }
+  bool is_empty() const { return m_entries.empty() && m_waiting.empty(); }
+  std::size_t size() const { return m_entries.size() + m_waiting.size(); }
 
   // the face of h
-  void push(const halfedge_descriptor h) { m_entries.insert(make_entry(h)); }
+  void push(const halfedge_descriptor h)
+  {
+    const Entry entry = make_entry(h);
+    const auto failures = m_number_of_failures.find(entry.corners);
+    (failures != m_number_of_failures.end() && failures->second >= patience ? m_waiting : m_entries).insert(entry);
+  }
+
+  // Nothing can be done for the face of h now.
+  void note_failure(const halfedge_descriptor h) { ++m_number_of_failures[make_entry(h).corners]; }
 
   // a halfedge of the first face; null if it has changed since it was pushed
   halfedge_descriptor pop()
   {
+    if(m_entries.empty())
+      m_entries.swap(m_waiting);
     const Entry entry = *m_entries.begin();
     m_entries.erase(m_entries.begin());
     const halfedge_descriptor h = halfedge_of(entry);

@@ -79,6 +79,8 @@ private:
 
   // A search looks farther than asked for, as many times as far, so that its ball serves the neighbours too.
   static constexpr double reach_of_search = 5.;
+  // and as far as it has met so many faces, in a fine mesh that is being coarsened for one
+  static constexpr std::size_t satisfying_number_of_faces = 128;
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
   // than what is clear.
   static constexpr double clearance = 1.25;
@@ -269,6 +271,8 @@ private:
       if(!cone.add(unit_normal(t), largest_angle_found))
         clear = distance;
       m_view.add(t, distance);
+      if(m_met.size() >= satisfying_number_of_faces && distance >= clearance * radius)
+        clear = (std::min)(clear, distance);
       for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tmesh()), tmesh()))
         meet(opposite(h, tmesh()), center, clear);
     }

@@ -109,20 +109,27 @@ private:
     std::size_t number = 0;
     if(triangles.empty())
       return number;
-    Bounding_box box(triangles[0].points);
-    for(std::size_t i = 0; i < triangles.size(); ++i)
+    boost::container::small_vector<Bounding_box, 16> boxes;
+    for(const Numbered_triangle& t : triangles)
+      boxes.push_back(Bounding_box(t.points));
+    Bounding_box box = boxes.front();
+    for(std::size_t i = 1; i < triangles.size(); ++i)
     {
-      box.add(Bounding_box(triangles[i].points));
+      box.add(boxes[i]);
       for(std::size_t j = 0; j < i; ++j)
-        number += do_triangles_meet(triangles[i], triangles[j]);
+        number += boxes[i].meets(boxes[j]) && do_triangles_meet(triangles[i], triangles[j]);
     }
     if(number < limit)
       visit_near(box, [&](const face_descriptor f)
       {
+        const auto is_near = [&](const Bounding_box& b) { return b.meets(this->box(f)); };
+        const auto first = std::find_if(boxes.begin(), boxes.end(), is_near);
+        if(first == boxes.end())
+          return true;
         const Numbered_triangle other = triangle(f);
         if(!is_among(other, replaced))
-          number += std::count_if(triangles.begin(), triangles.end(),
-                                  [&](const Numbered_triangle& t) { return do_triangles_meet(t, other); });
+          for(std::size_t i = first - boxes.begin(); i < boxes.size(); ++i)
+            number += is_near(boxes[i]) && do_triangles_meet(triangles[i], other);
         return number < limit;
       });
     return number;

@@ -91,8 +91,9 @@ public:
   // model is turned against them.
   Stop_reason raise_worst(const Stop_reason reason, const double satisfying_quality = 1.)
   {
-    since_last(Base::m_hunted_at, [&](const std::size_t since)
-               { return Worst_face_hunt<UserMesh>(m_mesh, satisfying_score, satisfying_quality).run(since); });
+    Worst_face_hunt<UserMesh>(m_mesh, satisfying_score, satisfying_quality).run(Base::m_hunted_at);
+    // it has come back to what it has changed itself
+    Base::m_hunted_at = m_mesh.number_of_changes();
     Base::update_hints();
     return m_mesh.is_stopped() ? STOPPED_BY_VISITOR : reason;
   }

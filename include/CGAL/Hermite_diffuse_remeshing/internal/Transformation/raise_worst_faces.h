@@ -108,6 +108,8 @@ public:
         ++number;
         push_changed();
       }
+      else
+        m_queue.note_failure(h);
       m_mesh.stop_log();
     }
     return number;
