@@ -158,10 +158,8 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   // The first time with the tight bands of lengths in which irregular vertices disappear, later only with a wide one:
   // what is left is few faces, and each pass moves others above the bound.
   constexpr int number_of_passes = 5, tight_band = 1, wide_band = 6;
-  // A fold cannot be helped by raising the scores of well-shaped triangles there. What is refined after the worst have
-  // been raised is few faces, and raising those that are only a little worse would undo it.
-  constexpr double first_satisfying_quality = 0.6, last_satisfying_quality = 0.4;
-  double satisfying_quality = first_satisfying_quality;
+  // A fold cannot be helped by raising the scores of well-shaped triangles there.
+  constexpr double satisfying_quality = 0.6;
   // Edges may be longer than their size by the band in which they are left alone, the square root of two.
   // At first most of the faces that deviate too much are such accidents, and the next ones will not be;
   // then the few that are left are to do even so.
@@ -195,10 +193,7 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
     {
       remesher.optimise(CONVERGED, since_finished);
       if(is_last)
-      {
         remesher.raise_worst(CONVERGED, satisfying_quality);
-        satisfying_quality = last_satisfying_quality;
-      }
       since_finished = mesh.number_of_changes();
       coarse_rounds = 0;
       ++settlements;
