@@ -29,6 +29,7 @@ instruments=
 optimization=-O2
 coverage=OFF
 programs=()
+compile_once=ON
 while [ $# -gt 0 ]; do
   case "$1" in
     --cgal|--build)
@@ -66,6 +67,7 @@ while [ $# -gt 0 ]; do
     --programs)
       [ $# -ge 2 ] || { echo "--programs needs a list" >&2; exit 2; }
       read -ra programs <<< "$2"
+      compile_once=OFF                  # pays for many
       shift 2
       ;;
     --check-sources)
@@ -108,6 +110,7 @@ if ! cmake -S "$root" -B "$build" "${cgal_options[@]}" \
        -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="$optimization -UNDEBUG" \
        -DBUILD_TESTING=ON -DCGAL_DATA_DIR="$CGAL_DATA_DIR" \
        -DHermite_diffuse_remeshing_CHECK_SOURCES=$check_sources \
+       -DHermite_diffuse_remeshing_COMPILE_ONCE=$compile_once \
        > "$build/configure.log" 2>&1; then
   cat "$build/configure.log"
   finish 0 1

@@ -1,0 +1,45 @@
+// What nearly all tests and examples include and instantiate, for a build in which it is compiled once: the stages of
+// the remeshing for the two types of mesh that they use, called without constraints or patches.
+
+#ifndef HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
+#define HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace compiled_once {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+
+template <typename TriangleMesh>
+using User = CGAL::Hermite_diffuse_remeshing::internal::User_mesh<
+  TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type,
+  CGAL::Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::edge_descriptor, false>,
+  CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::face_descriptor, int>, Kernel,
+  CGAL::Hermite_diffuse_remeshing::internal::Supervisor<TriangleMesh> >;
+
+typedef User<CGAL::Surface_mesh<Kernel::Point_3> > Surface_mesh_user;
+typedef User<CGAL::Polyhedron_3<Kernel> > Polyhedron_user;
+
+} // namespace compiled_once
+
+// `PREFIX`: extern, or nothing where it is compiled
+#define COMPILED_ONCE_STAGES(PREFIX, USER)                                                                   \
+  PREFIX template void CGAL::Hermite_diffuse_remeshing::internal::run_stages<USER>(                          \
+    const USER&, const std::vector<Working_mesh<USER>::face_descriptor>&, const Side_marks&,                 \
+    const std::vector<char>&, const Stage_options&, const std::function<std::unique_ptr<Input_model>()>&,    \
+    const std::function<void()>&,                                                                            \
+    const std::function<void(const Working_mesh<USER>&, const decltype(Deviations<USER>::faces)&)>&,         \
+    Remeshing_report<USER::TriangleMesh>&);
+
+COMPILED_ONCE_STAGES(extern, compiled_once::Surface_mesh_user)
+COMPILED_ONCE_STAGES(extern, compiled_once::Polyhedron_user)
+
+#endif // HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
