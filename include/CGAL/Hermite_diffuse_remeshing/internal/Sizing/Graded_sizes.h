@@ -31,6 +31,7 @@ namespace internal {
 class Graded_sizes
 {
   std::vector<double> m_sizes;
+  std::vector<double> m_last_sizes;       // when changes were looked for; empty if all may have changed since
   std::vector<int> m_noted;
 
 public:
@@ -39,7 +40,23 @@ public:
 
   const std::vector<double>& values() const { return m_sizes; }
   // of all samples
-  void set(std::vector<double> values) { m_sizes = std::move(values); }
+  void set(std::vector<double> values)
+  {
+    m_sizes = std::move(values);
+    m_last_sizes.clear();
+  }
+
+  // Of the samples: has its size or its cells changed since the last call, or the size in the middle of one of its
+  // sides?
+  std::vector<char> find_changes(const Size_samples& samples)
+  {
+    std::vector<char> result(samples.size(), m_last_sizes.empty());
+    for(int i = 0; i < number_of_samples(); ++i)
+      if(i >= static_cast<int>(m_last_sizes.size()) || m_sizes[i] != m_last_sizes[i])
+        result[i] = result[samples.ends(i)[0]] = result[samples.ends(i)[1]] = true;
+    m_last_sizes = m_sizes;
+    return result;
+  }
 
   // A sample has been added or lowered, or has got new neighbours.
   void note(const int sample) { m_noted.push_back(sample); }
@@ -48,6 +65,7 @@ public:
   void grade(const Bisection_tree& cells, const Size_samples& samples, const Frozen_lengths& frozen,
              const double scale, const double gradation, const Progress& progress)
   {
+    m_last_sizes.clear();
     m_sizes.clear();
     add_sizes(samples, scale);
     frozen.lower(m_sizes);
@@ -72,7 +90,11 @@ public:
     std::sort(m_noted.begin(), m_noted.end());
     m_noted.erase(std::unique(m_noted.begin(), m_noted.end()), m_noted.end());
     for(const int i : m_noted)
+    {
       m_sizes[i] = (std::min)(m_sizes[i], samples.asked_size(i, scale));
+      if(i < static_cast<int>(m_last_sizes.size()))
+        m_last_sizes[i] = -1.;            // in another cell: has changed in any case
+    }
     if(!m_noted.empty())
       limit_slopes(cells, samples, frozen, gradation, m_noted, progress);
     m_noted.clear();

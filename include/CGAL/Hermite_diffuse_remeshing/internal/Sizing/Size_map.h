@@ -90,8 +90,7 @@ public:
       }
     // What large cells pass on along their sides is lower than what holds after they are bisected.
     refine([this] { grade(); });
-    // From now on the mesh changes, and a field that refers to it with it: what has been read is
-    // all that is known.
+    // From now on the mesh changes, and a field that refers to it with it: what has been read is all that is known.
     m_sources.forget_user_size();
   }
 
@@ -144,13 +143,17 @@ private:
     {
       grade();
       bool is_refined = false;
+      const std::vector<char> has_changed = m_sizes.find_changes(m_samples);
       const int number_of_cells = m_cells.number_of_cells();
       for(int c = 0; c < number_of_cells; ++c, m_progress(0.))
-        if(m_cells.is_leaf(c) && !is_full() && is_too_coarse(c))
-        {
-          bisect(c, m_samples.longest_side(m_cells[c]));
-          is_refined = true;
-        }
+      {
+        const std::array<int, 3>& s = m_cells[c].samples;
+        if(!m_cells.is_leaf(c) || is_full() || !(has_changed[s[0]] || has_changed[s[1]] || has_changed[s[2]])
+           || !is_too_coarse(c))
+          continue;
+        bisect(c, m_samples.longest_side(m_cells[c]));
+        is_refined = true;
+      }
       if(!is_refined)
         break;
     }
@@ -166,12 +169,11 @@ public:
     double number = 0.;
     for(int c = 0; c < m_cells.number_of_cells(); ++c)
     {
-      const Cell& cell = m_cells[c];
-      if(!m_cells.is_leaf(c) || !is_selected(cell.face))
-        continue;
-      number += m_area_ratios[cell.face] * number_of_equilateral_faces(
-        m_samples.position(cell.samples[0]), m_samples.position(cell.samples[1]), m_samples.position(cell.samples[2]),
-        {{m_sizes[cell.samples[0]], m_sizes[cell.samples[1]], m_sizes[cell.samples[2]]}});
+      const std::array<int, 3>& s = m_cells[c].samples;
+      if(m_cells.is_leaf(c) && is_selected(m_cells[c].face))
+        number += m_area_ratios[m_cells[c].face] * number_of_equilateral_faces(
+          m_samples.position(s[0]), m_samples.position(s[1]), m_samples.position(s[2]),
+          {{m_sizes[s[0]], m_sizes[s[1]], m_sizes[s[2]]}});
     }
     return number;
   }

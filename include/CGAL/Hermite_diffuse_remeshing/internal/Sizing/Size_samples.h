@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Bisection_tree.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -32,6 +33,7 @@ class Size_samples
     double user_size;                     // the user's part of it
     double cap;                           // asked for later
     double radius;                        // of curvature
+    std::array<int, 2> ends;              // of the side that it halves; itself if there is none
   };
 
   std::vector<Sample> m_samples;
@@ -41,11 +43,12 @@ public:
   const Vector& position(const int i) const { return m_samples[i].position; }
   double own_size(const int i) const { return m_samples[i].own_size; }
   double user_size(const int i) const { return m_samples[i].user_size; }
+  const std::array<int, 2>& ends(const int i) const { return m_samples[i].ends; }
 
   void add(const Vector& position, const double size)
   {
     m_samples.push_back({position, size, size, std::numeric_limits<double>::infinity(),
-                         std::numeric_limits<double>::infinity()});
+                         std::numeric_limits<double>::infinity(), {{this->size(), this->size()}}});
   }
 
   // between two others; caps and radii are linear there
@@ -54,6 +57,7 @@ public:
     add((m_samples[a].position + m_samples[b].position) / 2., size);
     m_samples.back().cap = (m_samples[a].cap + m_samples[b].cap) / 2.;
     m_samples.back().radius = (m_samples[a].radius + m_samples[b].radius) / 2.;
+    m_samples.back().ends = {{a, b}};
   }
 
   void lower(const int i, const double size)
