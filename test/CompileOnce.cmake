@@ -18,7 +18,7 @@ foreach(_folder examples test)
     get_target_property(_libraries ${_program} LINK_LIBRARIES)
     # others have flags of their own, or are of other types of mesh
     if(_type STREQUAL "EXECUTABLE" AND _libraries MATCHES "Eigen3_support"
-       AND NOT _libraries MATCHES "TBB|OpenMesh|viewer|program_options" AND NOT _program MATCHES "^test_mesh_types$")
+       AND NOT _libraries MATCHES "TBB|OpenMesh|viewer|program_options" AND NOT _program STREQUAL "test_mesh_types")
       target_link_libraries(${_program} PRIVATE compiled_once)
       target_precompile_headers(${_program} REUSE_FROM compiled_once)
     endif()

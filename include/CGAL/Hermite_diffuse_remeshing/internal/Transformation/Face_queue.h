@@ -63,7 +63,7 @@ public:
   }
 
   // Nothing can be done for the face of h now.
-  void note_failure(const halfedge_descriptor h) { ++m_number_of_failures[make_entry(h).corners]; }
+  void note_failure(const halfedge_descriptor h) { ++m_number_of_failures[corners(h)]; }
 
   // a halfedge of the first face; null if it has changed since it was pushed
   halfedge_descriptor pop()
@@ -78,15 +78,19 @@ public:
   }
 
 private:
+  std::array<int, 3> corners(const halfedge_descriptor h) const
+  {
+    std::array<int, 3> result = m_mesh.triangle(face(h, m_mesh.tmesh())).vertices;
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    return result;
+  }
+
   Entry make_entry(const halfedge_descriptor h) const
   {
-    const auto& tm = m_mesh.tmesh();
     constexpr double levels = 1024., offset = 0.37;
     Entry entry;
     entry.level = static_cast<int>(std::floor(levels * face_worth(m_mesh, h).score + offset));
-    entry.corners = m_mesh.triangle(face(h, tm)).vertices;
-    const auto first = std::min_element(entry.corners.begin(), entry.corners.end());
-    std::rotate(entry.corners.begin(), first, entry.corners.end());
+    entry.corners = corners(h);
     return entry;
   }
 

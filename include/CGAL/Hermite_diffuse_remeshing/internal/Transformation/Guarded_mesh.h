@@ -268,11 +268,10 @@ private:
       std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
       m_queue.pop_back();
       const Numbered_triangle t = triangle(f);
-      if(!cone.add(unit_normal(t), largest_angle_found))
+      if(!cone.add(unit_normal(t), largest_angle_found)
+         || (m_met.size() >= satisfying_number_of_faces && distance >= clearance * radius))
         clear = distance;
       m_view.add(t, distance);
-      if(m_met.size() >= satisfying_number_of_faces && distance >= clearance * radius)
-        clear = (std::min)(clear, distance);
       for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tmesh()), tmesh()))
         meet(opposite(h, tmesh()), center, clear);
     }
