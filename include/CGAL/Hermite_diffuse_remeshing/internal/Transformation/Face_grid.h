@@ -18,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <unordered_map>
 #include <vector>
 
@@ -56,8 +55,8 @@ struct Bounding_box
 
 // Finds the faces near a box while the mesh changes: an octree with loose cells. A face lies in the one cell
 // that holds its middle, of the level whose cells are just as large as the face or larger, so that the faces of
-// a cell reach at most half a cell beyond it. Every cell with faces has all its ancestors. Cells know their
-// children and parents, and are looked up by their place only where a search begins.
+// a cell reach at most half a cell beyond it. Every cell with faces has all its ancestors, and is found by going down
+// from the largest ones.
 template <typename Face>
 class Face_grid
 {
@@ -83,19 +82,25 @@ private:
   };
 
 public:
+  struct Boxed_face
+  {
+    Face face;
+    Bounding_box box;
+  };
+
   struct Cell
   {
     Cell_key key;
     Cell* parent = nullptr;
     std::array<Cell*, 8> children{};
     int number_of_children = 0;
-    std::vector<Face> faces;
+    std::vector<Boxed_face> faces;
   };
 
 private:
   int m_top_level;
   std::unordered_map<Cell_key, Cell, Hash> m_cells;
-  std::map<int, std::size_t> m_number_of_faces;   // of the levels that have some
+  std::vector<Cell*> m_top_cells;       // few: they are as large as the mesh
 
 public:
   // `extent`: of the largest face that will be
@@ -123,56 +128,37 @@ public:
   }
 
   // returns the cell, which stays where it is
-  Cell* insert(const Face f, const Cell_key& key)
+  Cell* insert(const Face f, const Bounding_box& box)
   {
-    ++m_number_of_faces[key.level];
-    Cell* const cell = make_cell(key);
-    cell->faces.push_back(f);
+    Cell* const cell = make_cell(key(box));
+    cell->faces.push_back({f, box});
     return cell;
   }
 
+  // the face has moved within its cell
+  static void set_box(const Face f, const Bounding_box& box, Cell& cell) { find(f, cell)->box = box; }
+
   void erase(const Face f, Cell* const cell)
   {
-    *std::find(cell->faces.begin(), cell->faces.end(), f) = cell->faces.back();
+    *find(f, *cell) = cell->faces.back();
     cell->faces.pop_back();
-    const auto level = m_number_of_faces.find(cell->key.level);
-    if(--level->second == 0)
-      m_number_of_faces.erase(level);
     remove_if_empty(cell);
   }
 
-  // calls `visit(face)` for all faces that may meet the box until it returns false
+  // calls `visit(face, box of the face)` for the faces whose boxes meet the box until it returns false
   template <typename Visit>
   bool visit_near(const Bounding_box& box, const Visit& visit) const
   {
-    // cells as large as the box or larger are few and looked up one by one, smaller ones from their parents
-    const int own_level = key(box).level;
-    for(int level = own_level; level <= m_top_level; ++level)
-    {
-      if(level > own_level && m_number_of_faces.count(level) == 0)
-        continue;
-      const double size = cell_size(level);
-      std::array<std::int64_t, 3> first, last;
-      for(int i = 0; i < 3; ++i)
-      {
-        first[i] = place(box.low[i] - size / 2., size);
-        last[i] = place(box.high[i] + size / 2., size);
-      }
-      Cell_key key;
-      key.level = level;
-      for(key.place[0] = first[0]; key.place[0] <= last[0]; ++key.place[0])
-        for(key.place[1] = first[1]; key.place[1] <= last[1]; ++key.place[1])
-          for(key.place[2] = first[2]; key.place[2] <= last[2]; ++key.place[2])
-          {
-            const auto found = m_cells.find(key);
-            if(found != m_cells.end() && !visit_cell(found->second, box, level == own_level, visit))
-              return false;
-          }
-    }
-    return true;
+    return std::all_of(m_top_cells.begin(), m_top_cells.end(), [&](const Cell* const cell)
+                       { return visit_cell(*cell, box, visit); });
   }
 
 private:
+  static auto find(const Face f, Cell& cell)
+  {
+    return std::find_if(cell.faces.begin(), cell.faces.end(), [f](const Boxed_face& boxed) { return boxed.face == f; });
+  }
+
   static int level_of(const double extent)
   {
     int exponent = 0;
@@ -208,7 +194,7 @@ private:
   // with its ancestors
   Cell* make_cell(const Cell_key& key)
   {
-    const auto inserted = m_cells.emplace(key, Cell());
+    const auto inserted = m_cells.try_emplace(key);
     Cell* const cell = &inserted.first->second;
     if(!inserted.second)
       return cell;
@@ -219,6 +205,8 @@ private:
       cell->parent->children[place_in_parent(key)] = cell;
       ++cell->parent->number_of_children;
     }
+    else
+      m_top_cells.push_back(cell);
     return cell;
   }
 
@@ -232,31 +220,34 @@ private:
         parent->children[place_in_parent(cell->key)] = nullptr;
         --parent->number_of_children;
       }
+      else
+        m_top_cells.erase(std::find(m_top_cells.begin(), m_top_cells.end(), cell));
       m_cells.erase(Cell_key(cell->key));
       cell = parent;
     }
   }
 
   template <typename Visit>
-  bool visit_cell(const Cell& cell, const Bounding_box& box, const bool is_deep, const Visit& visit) const
+  static bool visit_cell(const Cell& cell, const Bounding_box& box, const Visit& visit)
   {
-    for(const Face f : cell.faces)
-      if(!visit(f))
+    for(const Boxed_face& f : cell.faces)
+      if(f.box.meets(box) && !visit(f.face, f.box))
         return false;
-    if(!is_deep || cell.number_of_children == 0)
+    if(cell.number_of_children == 0)
       return true;
+    // The children in the lower and in the upper half of each direction, which reach half of their size beyond.
     const double size = cell_size(cell.key.level - 1);
-    for(const Cell* const child : cell.children)
+    std::array<std::array<bool, 2>, 3> is_near;
+    for(int i = 0; i < 3; ++i)
     {
-      if(child == nullptr)
-        continue;
-      bool is_near = true;
-      for(int i = 0; i < 3; ++i)
-        is_near = is_near && box.low[i] <= (double(child->key.place[i]) + 1.5) * size
-                          && box.high[i] >= (double(child->key.place[i]) - 0.5) * size;
-      if(is_near && !visit_cell(*child, box, true, visit))
-        return false;
+      const double middle = double(2 * cell.key.place[i] + 1) * size;
+      is_near[i][0] = box.low[i] <= middle + 0.5 * size && box.high[i] >= middle - 1.5 * size;
+      is_near[i][1] = box.low[i] <= middle + 1.5 * size && box.high[i] >= middle - 0.5 * size;
     }
+    for(int k = 0; k < 8; ++k)
+      if(cell.children[k] != nullptr && is_near[0][k & 1] && is_near[1][k >> 1 & 1] && is_near[2][k >> 2]
+         && !visit_cell(*cell.children[k], box, visit))
+        return false;
     return true;
   }
 };

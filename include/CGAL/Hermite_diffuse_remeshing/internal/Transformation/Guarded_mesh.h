@@ -280,10 +280,10 @@ private:
     if(clear >= clearance * radius)
     {
       const Vector reach = Vector::Constant(clear);
-      m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f)
+      m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f, const Bounding_box& box)
       {
         if(get(m_search, f) != m_number_of_searches)
-          clear = (std::min)(clear, m_guard->box(f).distance(center));
+          clear = (std::min)(clear, box.distance(center));
         return true;
       });
     }

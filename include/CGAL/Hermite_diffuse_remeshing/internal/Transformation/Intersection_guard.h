@@ -58,11 +58,13 @@ public:
   {
     Place place = get(m_places, f);
     place.box = Bounding_box(points);
-    if(place.cell == nullptr || !Grid::holds(*place.cell, place.box))
+    if(place.cell != nullptr && Grid::holds(*place.cell, place.box))
+      Grid::set_box(f, place.box, *place.cell);
+    else
     {
       if(place.cell != nullptr)
         m_grid.erase(f, place.cell);
-      place.cell = m_grid.insert(f, m_grid.key(place.box));
+      place.cell = m_grid.insert(f, place.box);
     }
     put(m_places, f, place);
   }
@@ -79,13 +81,9 @@ public:
   // of a face that is known
   const Bounding_box& box(const face_descriptor f) const { return get(m_places, f).box; }
 
-  // calls `visit(face)` for the faces whose boxes meet the box until it returns false
+  // calls `visit(face, its box)` for the faces whose boxes meet the box until it returns false
   template <typename Visit>
-  bool visit_near(const Bounding_box& box, const Visit& visit) const
-  {
-    return m_grid.visit_near(box, [&](const face_descriptor f)
-                             { return !this->box(f).meets(box) || visit(f); });
-  }
+  bool visit_near(const Bounding_box& box, const Visit& visit) const { return m_grid.visit_near(box, visit); }
 
   // Whether `made` may take the place of `replaced`: nothing meets then, or no more pairs of faces do than now. A face
   // may get rid of one that it meets and meet another instead: where two sheets pass through each other there would be
@@ -120,9 +118,9 @@ private:
         number += boxes[i].meets(boxes[j]) && do_triangles_meet(triangles[i], triangles[j]);
     }
     if(number < limit)
-      visit_near(box, [&](const face_descriptor f)
+      visit_near(box, [&](const face_descriptor f, const Bounding_box& box_of_face)
       {
-        const auto is_near = [&](const Bounding_box& b) { return b.meets(this->box(f)); };
+        const auto is_near = [&](const Bounding_box& b) { return b.meets(box_of_face); };
         const auto first = std::find_if(boxes.begin(), boxes.end(), is_near);
         if(first == boxes.end())
           return true;
