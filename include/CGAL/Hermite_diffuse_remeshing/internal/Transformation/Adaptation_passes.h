@@ -67,7 +67,8 @@ protected:
       changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
       changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_valence(m_mesh, since); });
       if(!is_refined || i < first_iteration + number_of_balancing_passes_of_refined)
-        since_last(m_balanced_at, [&](const std::size_t since) { return balance_vertices(m_mesh, since); });
+        since_last(m_balanced_at, [&](const std::size_t since)
+                   { return balance_vertices(m_mesh, since, since_change > 0 ? least_move_again : least_move); });
       if(changes > considerable_part * m_mesh.number_of_faces())
         update_hints();
       report_progress(double(i + 1 - first_iteration) / number_of_iterations);

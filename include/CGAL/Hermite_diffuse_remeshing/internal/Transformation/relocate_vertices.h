@@ -27,6 +27,9 @@ namespace internal {
 
 // of the size: moves that cannot be seen are not made, so that the sweeps come to rest
 constexpr double least_move = 0.02;
+// and where a part of an optimised mesh is adapted again, so that its surroundings, which are not at the middles of their
+// neighbours any more, stay where they are
+constexpr double least_move_again = 0.06;
 
 // Where the sizes want a vertex of a curve: between its neighbours, in proportion to the sizes
 template <typename UserMesh>
@@ -44,7 +47,7 @@ Site balanced_site_on_curve(const Working_mesh<UserMesh>& mesh,
 // and one of the surface: the centroid of the faces around, each weighted by its area in units of the size
 template <typename UserMesh>
 Site balanced_site_on_surface(const Working_mesh<UserMesh>& mesh,
-                              const typename Working_mesh<UserMesh>::vertex_descriptor v)
+                              const typename Working_mesh<UserMesh>::vertex_descriptor v, const double shortest_move)
 {
   const auto& tm = mesh.tmesh();
   const Site& site = mesh.site(v);
@@ -65,16 +68,17 @@ Site balanced_site_on_surface(const Working_mesh<UserMesh>& mesh,
   if(!(sum_of_weights > 0.))
     return site;
   const Vector move = sum / sum_of_weights;
-  if((move - move.dot(site.normal) * site.normal).norm() < least_move * site.size)
+  if((move - move.dot(site.normal) * site.normal).norm() < shortest_move * site.size)
     return site;                        // the model needs not be asked
   return mesh.reference().surface_site(site.point + move, site.location.face);
 }
 
 template <typename UserMesh>
 Site balanced_site(const Working_mesh<UserMesh>& mesh,
-                   const typename Working_mesh<UserMesh>::vertex_descriptor v)
+                   const typename Working_mesh<UserMesh>::vertex_descriptor v, const double shortest_move)
 {
-  return mesh.data(v).type == CURVE_VERTEX ? balanced_site_on_curve(mesh, v) : balanced_site_on_surface(mesh, v);
+  return mesh.data(v).type == CURVE_VERTEX ? balanced_site_on_curve(mesh, v)
+                                           : balanced_site_on_surface(mesh, v, shortest_move);
 }
 
 // Moves the vertices near which something has changed to the sites that `propose(vertex)` finds, if it does.
@@ -92,15 +96,16 @@ std::size_t relocate_vertices(Working_mesh<UserMesh>& mesh, const std::size_t si
   return mesh.counts().relocations - before;
 }
 
+// Moves shorter than `shortest_move`, in units of the size, are not made.
 template <typename UserMesh>
-std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since)
+std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since, const double shortest_move)
 {
   typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
   return relocate_vertices(mesh, since, [&](const vertex_descriptor v) -> std::optional<Site>
   {
     const Site& old_site = mesh.data(v).site;
-    const Site site = balanced_site(mesh, v);
-    if((site.point - old_site.point).norm() < least_move * old_site.size)
+    const Site site = balanced_site(mesh, v, shortest_move);
+    if((site.point - old_site.point).norm() < shortest_move * old_site.size)
       return std::nullopt;
     if(mesh.data(v).type == CURVE_VERTEX && !is_curve_move_faithful(mesh, v, site.parameter))
       return std::nullopt;
