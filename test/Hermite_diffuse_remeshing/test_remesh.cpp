@@ -6,10 +6,74 @@
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Polyhedron_3.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <vector>
 
 typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
 typedef CGAL::Aff_transformation_3<Kernel> Transformation;
+
+// The search near a box finds what a look at all faces does, while faces of very different sizes move, come and go.
+void test_search_of_near_faces()
+{
+  typedef HDR::internal::Face_grid<int> Grid;
+  typedef HDR::internal::Bounding_box Box;
+  std::cout << "search of near faces" << std::endl;
+  constexpr int number_of_faces = 400, number_of_rounds = 50;
+  analytic::Random random(5);
+  const auto random_vector = [&](const double a, const double b)
+  { return HDR::internal::Vector(random(a, b), random(a, b), random(a, b)); };
+  const auto random_box = [&]
+  {
+    const HDR::internal::Vector low = random_vector(-1., 1.);
+    return Box(low, low + std::pow(10., random(-4., 0.)) * random_vector(0., 1.));
+  };
+  Grid grid(1.);
+  std::vector<Box> boxes(number_of_faces);
+  std::vector<Grid::Cell*> cells(number_of_faces, nullptr);     // null: the face is not there
+  std::size_t number_found = 0;
+  for(int round = 0; round < number_of_rounds; ++round)
+  {
+    for(int f = 0; f < number_of_faces; ++f)
+    {
+      // a third stays, the others take small steps, or go far away or are gone
+      const double chance = random(0., 1.);
+      if(chance < 0.33)
+        continue;
+      if(chance < 0.66 && cells[f] != nullptr)
+      {
+        const HDR::internal::Vector step = (boxes[f].high - boxes[f].low).norm() * random_vector(-0.3, 0.3);
+        boxes[f] = Box(boxes[f].low + step, boxes[f].high + step);
+        if(Grid::holds(*cells[f], boxes[f]))
+        {
+          Grid::set_box(f, boxes[f], *cells[f]);
+          continue;
+        }
+      }
+      else
+        boxes[f] = random_box();
+      if(cells[f] != nullptr)
+        grid.erase(f, cells[f]);
+      cells[f] = chance < 0.9 ? grid.insert(f, boxes[f]) : nullptr;
+    }
+    for(int i = 0; i < number_of_faces; ++i)
+    {
+      // or what just touches a face
+      const Box box = i % 2 == 0 ? random_box() : Box(boxes[i].high, boxes[i].high);
+      std::vector<int> found, expected;
+      grid.visit_near(box, [&](const int f, const Box&) { found.push_back(f); return true; });
+      for(int f = 0; f < number_of_faces; ++f)
+        if(cells[f] != nullptr && boxes[f].meets(box))
+          expected.push_back(f);
+      std::sort(found.begin(), found.end());
+      assert(found == expected);
+      number_found += found.size();
+    }
+  }
+  std::cout << "  " << number_found << " found" << std::endl;
+  assert(number_found > 5000);
+}
 
 void test_real_mesh(const std::string& file)
 {
@@ -470,6 +534,7 @@ int main(int argc, char** argv)
   if(argc > 1)
     return EXIT_SUCCESS;
 
+  test_search_of_near_faces();
   test_real_mesh(CGAL::data_file_path("meshes/elephant.off"));
   test_real_mesh(CGAL::data_file_path("meshes/fandisk.off"));
   test_torus_accuracy();
