@@ -32,8 +32,9 @@ Mesh sampled_model(const Mesh& input, const Parameters& parameters, const double
   Size_options options;
   options.minimum_length = options.maximum_length = model_diameter(triangles);
   Size_map sizes(model->surface, model->edges, model->curves, options);
+  const Feature_displacements displacements(model->surface, model->edges, model->curves, Progress());
   const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves,
-                            model->surface, model->locator, sizes};
+                            model->surface, model->locator, displacements, sizes};
 
   Mesh result;
   for(int f = 0; f < triangles.number_of_faces(); ++f)

@@ -62,9 +62,13 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
 {
   auto& watched = user.visitor;
   std::unique_ptr<Input_model> model;
+  std::unique_ptr<Feature_displacements> displacements;
   std::unique_ptr<Size_map> sizes;
   const bool is_prepared =
-    watched.stage("model", [&] { model = make_model(); })
+    watched.stage("model", [&]
+    { model = make_model();
+      displacements.reset(new Feature_displacements(model->surface, model->edges, model->curves,
+                                                    watched.progress_of_stage().part(1., 1.))); })
     && watched.stage("size map", [&]
        { sizes = make_size_map(*model, options.sizes, marks, options.maximum_number_of_faces,
                                [&](const int f) { return is_remeshed[f] != 0; }, watched.progress_of_stage());
@@ -76,7 +80,7 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
   }
   begin_changes();
   const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves, model->surface,
-                            model->locator, *sizes};
+                            model->locator, *displacements, *sizes};
   Working_mesh<User> mesh(user, reference, face_descriptors, is_remeshed,
                           [&](const int f, const int side) { return marks[f][side] == MARKED_PROTECTED; },
                           options.maximum_number_of_faces, options.is_guarded);

@@ -115,20 +115,21 @@ public:
 
   Projection project(const Vector& p, const int hint, const double tolerance = 1e-6) const
   {
-    return project_from(p, walk(p, hint), tolerance);
+    return project_from(p, start_at(walk(p, hint)), tolerance);
   }
+
+  // no projection yet
+  Projection start_at(const Location& location) const { return {location, m_surface.evaluate(location)}; }
 
   // same, with a start for Newton's method. Whom the distance alone concerns is content with less: the height of p
   // above the tangent plane, where that is the distance up to `part_of_distance` of it.
-  Projection project_from(const Vector& p, const Location& start, const double tolerance,
+  Projection project_from(const Vector& p, const Projection& start, const double tolerance,
                           const double part_of_distance = 0.) const
   {
     constexpr int maximum_number_of_steps = 30;
     // a step far below the tolerance; one just below it may still be the one that reaches it
     constexpr double stall = 1e-3;
-    Projection best;
-    best.location = start;
-    best.quadric = m_surface.evaluate(best.location);
+    Projection best = start;
     double best_residual = tangential_residual(best.quadric, p);
     Projection current = best;
     for(int step = 0; step < maximum_number_of_steps; ++step)

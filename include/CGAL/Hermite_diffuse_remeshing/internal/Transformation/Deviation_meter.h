@@ -83,9 +83,9 @@ public:
     measure_new_faces();
   }
 
-  // Measures again what has changed since, and what deviates too much. The points of the reference whose closest face
-  // has changed look for it near by and among the faces that have changed: the distance to some of the faces
-  // is an upper bound of the distance to all.
+  // Measures again what has changed since, and what deviates too much beside that. The points of the reference whose
+  // closest face has changed look for it near by and among the faces that have changed: the distance to some of the
+  // faces is an upper bound of the distance to all.
   void update(const std::size_t since)
   {
     std::vector<Face_deviation<face_descriptor> > old_faces;
@@ -101,7 +101,7 @@ public:
         continue;
       const bool has_changed = m_mesh.has_changed(f, since);
       const int i = has_changed ? -1 : get(old_index, f);
-      if(has_changed || old_faces[i].deviation > raised * m_bound)
+      if(has_changed || (old_faces[i].deviation > raised * m_bound && has_changed_beside(f, since)))
       {
         add_new_face(f);
         continue;
@@ -135,6 +135,17 @@ private:
     entry.face = f;
     m_deviations.faces.push_back(entry);
     m_is_new.push_back(true);
+  }
+
+  // a closer face for a point of the reference may be there now
+  bool has_changed_beside(const face_descriptor f, const std::size_t since) const
+  {
+    const TriangleMesh& tm = m_mesh.tmesh();
+    for(const auto v : CGAL::vertices_around_face(halfedge(f, tm), tm))
+      for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tm))
+        if(m_mesh.has_changed(h, since))
+          return true;
+    return false;
   }
 
   void measure_new_faces()

@@ -68,10 +68,8 @@ collect_edges(const Working_mesh<UserMesh>& mesh, const int direction, const IsC
   {
     if(mesh.is_stopped_at(step++))
       return std::vector<Queued_edge<Mesh> >();
-    if(!mesh.is_inside(e))
-      continue;
     const typename Mesh::halfedge_descriptor h = halfedge(e, mesh.tmesh());
-    if(is_candidate(h))
+    if(is_candidate(h) && mesh.is_inside(e))
       queue.push_back({h, direction * urgency_level(mesh.relative_length(h)), mesh.edge_key(h)});
   }
   sort_queue(queue);

@@ -74,7 +74,8 @@ private:
   Search_map m_search;                                              // the last search that has met the face
   std::size_t m_number_of_searches = 0;
   Sheet_view m_view;
-  std::vector<face_descriptor> m_met;                               // by the search
+  struct Met_face { face_descriptor face; Numbered_triangle triangle; };
+  std::vector<Met_face> m_met;                                      // by the search
   std::vector<std::pair<double, std::size_t> > m_queue;             // distances of faces that were met; a heap
 
   // A search looks farther than asked for, as many times as far, so that its ball serves the neighbours too.
@@ -259,20 +260,19 @@ private:
     const Vector center = point(v);
     double clear = clearance * reach_of_search * radius;
     begin_search(v);
-    Normal_cone cone(unit_normal(triangle(m_met.front())), least_angle);
+    Normal_cone cone(unit_normal(m_met.front().triangle), least_angle);
     m_view.clear();
     while(!m_queue.empty() && m_queue.front().first < clear)
     {
       const double distance = m_queue.front().first;
-      const face_descriptor f = m_met[m_queue.front().second];
+      const Met_face met = m_met[m_queue.front().second];
       std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
       m_queue.pop_back();
-      const Numbered_triangle t = triangle(f);
-      if(!cone.add(unit_normal(t), largest_angle_found)
+      if(!cone.add(unit_normal(met.triangle), largest_angle_found)
          || (m_met.size() >= satisfying_number_of_faces && distance >= clearance * radius))
         clear = distance;
-      m_view.add(t, distance);
-      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(f, tmesh()), tmesh()))
+      m_view.add(met.triangle, distance);
+      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(met.face, tmesh()), tmesh()))
         meet(opposite(h, tmesh()), center, clear);
     }
     if(clear >= clearance * radius)
@@ -310,15 +310,19 @@ private:
   // a face that hangs together with others; it waits for its turn if it is closer than `limit`
   void meet(const halfedge_descriptor h, const Vector& center, const double limit)
   {
-    if(CGAL::is_border(h, tmesh()) || get(m_search, face(h, tmesh())) == m_number_of_searches)
+    if(CGAL::is_border(h, tmesh()))
       return;
-    put(m_search, face(h, tmesh()), m_number_of_searches);
-    const double distance = m_guard->box(face(h, tmesh())).distance(center);
+    const face_descriptor f = face(h, tmesh());
+    if(get(m_search, f) == m_number_of_searches)
+      return;
+    put(m_search, f, m_number_of_searches);
+    const Numbered_triangle t = triangle(f);
+    const double distance = Bounding_box(t.points).distance(center);
     if(!(distance < limit))
       return;
     m_queue.push_back(std::make_pair(distance, m_met.size()));
     std::push_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
-    m_met.push_back(face(h, tmesh()));
+    m_met.push_back({f, t});
   }
 
   // Triangles that turn from the axis end a ball for good; where a border moves, it has to be found again.

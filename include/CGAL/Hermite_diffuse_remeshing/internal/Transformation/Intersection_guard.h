@@ -34,52 +34,44 @@ class Intersection_guard
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   typedef Face_grid<face_descriptor> Grid;
-  struct Place
-  {
-    typename Grid::Cell* cell = nullptr;    // null: the face is not known
-    Bounding_box box;
-  };
-  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Place> >::type Place_map;
+  typedef typename Grid::Cell Cell;
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Cell*> >::type Cell_map;
 
   Grid m_grid;
-  Place_map m_places;
+  Cell_map m_cells;                     // null: the face is not known
 
 public:
   // `extent`: of the whole mesh
   Intersection_guard(TriangleMesh& tmesh, const double extent)
-    : m_grid(extent), m_places(get(CGAL::dynamic_face_property_t<Place>(), tmesh))
+    : m_grid(extent), m_cells(get(CGAL::dynamic_face_property_t<Cell*>(), tmesh))
   {
     for(const face_descriptor f : faces(tmesh))
-      put(m_places, f, Place());
+      put(m_cells, f, nullptr);
   }
 
   // the face is new, or has moved
   void note(const face_descriptor f, const std::array<Vector, 3>& points)
   {
-    Place place = get(m_places, f);
-    place.box = Bounding_box(points);
-    if(place.cell != nullptr && Grid::holds(*place.cell, place.box))
-      Grid::set_box(f, place.box, *place.cell);
-    else
+    Cell* const cell = get(m_cells, f);
+    const Bounding_box box(points);
+    if(cell != nullptr && Grid::holds(*cell, box))
     {
-      if(place.cell != nullptr)
-        m_grid.erase(f, place.cell);
-      place.cell = m_grid.insert(f, place.box);
+      Grid::set_box(f, box, *cell);
+      return;
     }
-    put(m_places, f, place);
+    if(cell != nullptr)
+      m_grid.erase(f, cell);
+    put(m_cells, f, m_grid.insert(f, box));
   }
 
   // the face will be removed
   void forget(const face_descriptor f)
   {
-    const Place& place = get(m_places, f);
-    if(place.cell != nullptr)
-      m_grid.erase(f, place.cell);
-    put(m_places, f, Place());
+    Cell* const cell = get(m_cells, f);
+    if(cell != nullptr)
+      m_grid.erase(f, cell);
+    put(m_cells, f, nullptr);
   }
-
-  // of a face that is known
-  const Bounding_box& box(const face_descriptor f) const { return get(m_places, f).box; }
 
   // calls `visit(face, its box)` for the faces whose boxes meet the box until it returns false
   template <typename Visit>

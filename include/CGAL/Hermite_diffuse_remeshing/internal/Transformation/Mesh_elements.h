@@ -49,7 +49,6 @@ public:
     Vertex_class type = SURFACE_VERTEX;
     int reference_vertex = -1;          // of a vertex that is still at its place in the input
     bool is_frozen = false;
-    std::size_t change = 0;             // the last change of the faces around it
     vertex_descriptor descriptor = Graph_traits::null_vertex();   // one of the copies; null: the number is free
   };
 
@@ -72,6 +71,10 @@ protected:
   Edge_map m_edge;
   Face_hint_map m_hint;                 // a face of the reference near the face; -1: not to be remeshed
   std::vector<Vertex> m_vertices;
+  // of every vertex, what is asked most: dense, so that it stays in the cache
+  struct Place { Vector point; double size; };
+  std::vector<Place> m_places;          // as in its site
+  std::vector<std::size_t> m_last_change;       // of the faces around it
   std::vector<int> m_free_vertices;
   Junctions<vertex_descriptor> m_junctions;
   std::vector<char> m_is_reference_face_remeshed;
@@ -124,8 +127,8 @@ public:
     {
       const Feature_curve& curve = reference.curves.curves[c];
       for(std::size_t i = 1; i + 1 < curve.vertices.size(); ++i)
-        m_vertices[index_of_vertex[curve.vertices[i]]].site =
-          reference.curve_site(static_cast<int>(c), curve.spline.parameter(static_cast<int>(i)));
+        set_site(index_of_vertex[curve.vertices[i]],
+                 reference.curve_site(static_cast<int>(c), curve.spline.parameter(static_cast<int>(i))));
     }
     for(int v = 0; v < triangles.number_of_vertices(); ++v)
       m_junctions.set(index_of_vertex[v], copies_of_vertex[v]);
@@ -150,8 +153,8 @@ public:
   int index(const vertex_descriptor v) const { return get(m_vertex_index, v); }
   const Vertex& data(const vertex_descriptor v) const { return m_vertices[index(v)]; }
   const Site& site(const vertex_descriptor v) const { return data(v).site; }
-  const Vector& point(const vertex_descriptor v) const { return data(v).site.point; }
-  double size(const vertex_descriptor v) const { return data(v).site.size; }
+  const Vector& point(const vertex_descriptor v) const { return m_places[index(v)].point; }
+  double size(const vertex_descriptor v) const { return m_places[index(v)].size; }
   bool is_frozen(const vertex_descriptor v) const { return data(v).is_frozen; }
   bool is_fixed(const vertex_descriptor v) const { return data(v).is_frozen || is_corner(data(v).type); }
 
@@ -254,7 +257,7 @@ public:
   // Changes are numbered. An operator that remembers how many there were when it began its last pass
   // needs to look only at what has changed since.
   std::size_t number_of_changes() const { return m_number_of_changes; }
-  bool has_changed(const vertex_descriptor v, const std::size_t since) const { return data(v).change > since; }
+  bool has_changed(const vertex_descriptor v, const std::size_t since) const { return m_last_change[index(v)] > since; }
   bool has_changed(const halfedge_descriptor h, const std::size_t since) const
   {
     return has_changed(source(h, tmesh()), since) || has_changed(target(h, tmesh()), since);
@@ -275,14 +278,26 @@ protected:
   {
     int i = static_cast<int>(m_vertices.size());
     if(m_free_vertices.empty())
-      m_vertices.push_back(data);
+    {
+      m_vertices.emplace_back();
+      m_places.emplace_back();
+      m_last_change.push_back(0);
+    }
     else
     {
       i = m_free_vertices.back();
       m_free_vertices.pop_back();
-      m_vertices[i] = data;
     }
+    m_vertices[i] = data;
+    m_last_change[i] = m_number_of_changes;
+    set_site(i, data.site);
     return i;
+  }
+
+  void set_site(const int i, const Site& site)
+  {
+    m_vertices[i].site = site;
+    m_places[i] = {site.point, site.size};
   }
 
   void free_vertex(const int i)
@@ -301,7 +316,7 @@ protected:
 
   void touch(const vertex_descriptor v)
   {
-    m_vertices[index(v)].change = m_number_of_changes;
+    m_last_change[index(v)] = m_number_of_changes;
     if(m_is_logging)
       m_log.push_back(index(v));
   }
@@ -338,7 +353,7 @@ private:
     if(vertex.type == SURFACE_VERTEX)
       vertex.site.normal = m_reference.surface.blended_normal(vertex.site.location);
     vertex.reference_vertex = v;
-    vertex.change = m_number_of_changes = 1;
+    m_number_of_changes = 1;
     vertex.descriptor = descriptor;
     return add_vertex(vertex);
   }

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REFERENCE_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REFERENCE_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Feature_displacements.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_locator.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
 
@@ -43,43 +44,12 @@ struct Reference
   const Feature_curves& curves;
   const Reference_surface& surface;
   const Reference_locator& locator;
+  const Feature_displacements& displacement;
   Size_map& sizes;
-
-  // The fits at the two sides of a feature and its spline meet at the feature's vertices, but only
-  // nearly in between. This displacement closes the gap: along a feature side of a face it moves the
-  // fit onto the spline, and it fades with the distance from the side. It is zero on the other
-  // sides, where the foot on the feature is one of its vertices, so the surface stays continuous.
-  Vector feature_displacement(const Location& location) const
-  {
-    Vector result = Vector::Zero();
-    for(int k = 0; k < 3; ++k)
-    {
-      const int edge = edges.edge(location.face, k);
-      const int c = curves.curve_of_edge[edge];
-      const double share = 1. - location.coordinates[previous(k)];
-      if(c == -1 || share <= 0.)
-        continue;
-      const double u = location.coordinates[next(k)] / share;
-      if(u <= 0. || u >= 1.)
-        continue;
-      const Feature_curve& curve = curves.curves[c];
-      const int segment = curves.segment_of_edge[edge];
-      const bool is_forward = surface.triangles().triangles[location.face][k] == curve.vertices[segment];
-      const double v = is_forward ? u : 1. - u;
-      const double s = (1. - v) * curve.spline.parameter(segment) + v * curve.spline.parameter(segment + 1);
-      Location foot;
-      foot.face = location.face;
-      foot.coordinates.fill(0.);
-      foot.coordinates[k] = 1. - u;
-      foot.coordinates[next(k)] = u;
-      result += share * share * (curve.spline.point(s) - surface.evaluate(foot).point());
-    }
-    return result;
-  }
 
   Vector surface_point(const Location& location) const
   {
-    return surface.evaluate(location).point() + feature_displacement(location);
+    return surface.evaluate(location).point() + displacement(location);
   }
 
   struct Nearest
@@ -97,25 +67,23 @@ struct Reference
     constexpr int maximum_number_of_steps = 10;
     constexpr double part_of_distance = 0.01;   // no more is promised of a distance that is an upper bound
     Nearest best{start, std::numeric_limits<double>::infinity()};
-    Vector displacement = feature_displacement(start);
-    Location location = start;
+    Vector displaced = displacement(start);
+    Reference_locator::Projection projection = locator.start_at(start);
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
-      const Reference_locator::Projection projection =
-        locator.project_from(p - displacement, location, tolerance, part_of_distance);
+      projection = locator.project_from(p - displaced, projection, tolerance, part_of_distance);
       const Vector normal = projection.quadric.normal();
-      Vector gap = p - displacement - projection.quadric.point();
+      Vector gap = p - displaced - projection.quadric.point();
       // what is left along the surface when Newton's method has converged is no distance
       if(projection.is_foot)
         gap = gap.dot(normal) * normal;
-      location = projection.location;
-      const Vector change = feature_displacement(location) - displacement;
+      const Vector change = displacement(projection.location) - displaced;
       const double distance = (gap - change).norm();
       if(distance < best.distance)
-        best = {location, distance, gap - change};
+        best = {projection.location, distance, gap - change};
       if(change.norm() <= tolerance * distance)
         break;
-      displacement += change;
+      displaced += change;
     }
     return best;
   }
@@ -126,7 +94,7 @@ struct Reference
     Site site;
     site.location = locator.walk(p, hint);
     const Local_quadric quadric = surface.evaluate(site.location);
-    site.point = quadric.point() + feature_displacement(site.location);
+    site.point = quadric.point() + displacement(site.location);
     // blended from the nodes: where a fit is badly conditioned it still points outwards
     site.normal = quadric.z_axis;
     site.size = sizes(site.location);

@@ -54,6 +54,8 @@ private:
   using Base::m_edge;
   using Base::m_hint;
   using Base::m_vertices;
+  using Base::m_places;
+  using Base::m_last_change;
   using Base::m_junctions;
   using Base::m_number_of_faces;
   using Base::m_number_of_changes;
@@ -78,6 +80,7 @@ public:
   using Base::add_vertex;
   using Base::free_vertex;
   using Base::set_edge;
+  using Base::set_site;
   using Base::note;
   using Base::note_around;
   using Base::forget_around;
@@ -135,7 +138,7 @@ public:
   {
     const int kept = index(target(h, tmesh())), removed = index(source(h, tmesh()));
     move_ball(kept, (site.point - m_vertices[kept].site.point).norm());
-    m_vertices[kept].site = site;
+    set_site(kept, site);
     vertex_descriptor v = target(h, tmesh());
     forget_around(v);
     forget_around(source(h, tmesh()));
@@ -169,7 +172,7 @@ public:
   {
     visit_copies(v, [&](const vertex_descriptor copy) { m_user.visitor.before_vertex_relocation(copy); });
     move_ball(index(v), (site.point - point(v)).norm());
-    m_vertices[index(v)].site = site;
+    set_site(index(v), site);
     visit_copies(v, [&](const vertex_descriptor copy)
     {
       put_point(copy, site.point);
@@ -232,12 +235,13 @@ public:
     // the far end of a slope of the sizes, which no operator would notice, is no change
     constexpr double least_change = 0.01;
     ++m_number_of_changes;
-    for(Vertex& vertex : m_vertices)
+    for(std::size_t i = 0; i < m_vertices.size(); ++i)
     {
-      const double size = m_reference.sizes(vertex.site.location);
-      if(std::abs(size - vertex.site.size) > least_change * vertex.site.size)
-        vertex.change = m_number_of_changes;
-      vertex.site.size = size;
+      Site& site = m_vertices[i].site;
+      const double size = m_reference.sizes(site.location);
+      if(std::abs(size - site.size) > least_change * site.size)
+        m_last_change[i] = m_number_of_changes;
+      m_places[i].size = site.size = size;
     }
   }
 

@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -178,11 +179,14 @@ private:
       plan_collapse(opposite(side, tm), plan);
       if(m_mesh.relative_length(side) >= shortest_to_split)
         plan_split(side, plan);
-      if(degree(target(side, tm), tm) > largest_degree)
-        continue;
-      plan_removals(side, plan);
-      plan_flips_and_relocation(target(side, tm), plan);
+      if(degree(target(side, tm), tm) <= largest_degree)
+        plan_removals(side, plan);
     }
+    // these take as long as all others together
+    if(plan.kind == NOTHING)
+      for(const halfedge_descriptor side : sides)
+        if(degree(target(side, tm), tm) <= largest_degree)
+          plan_flips_and_relocation(target(side, tm), plan);
     return plan;
   }
 
@@ -255,9 +259,17 @@ private:
       star.add_side(m_mesh, next(side, tm));
       star.add_side(m_mesh, prev(side, tm));
     }
-    Site site = middle_site(m_mesh, h);
-    if(!m_mesh.is_on_curve(h))
-      site = star.better_site(site);
+    const Site middle = middle_site(m_mesh, h);
+    const int curve = m_mesh.curve(h);
+    Site site = middle;
+    if(curve == -1)
+      site = star.better_site(middle);
+    else
+    {
+      const std::pair<double, double> ends =
+        std::minmax({m_mesh.parameter(source(h, tm), curve), m_mesh.parameter(target(h, tm), curve)});
+      site = better_site_on_curve(m_mesh.reference(), middle, ends, star, [](double) { return true; });
+    }
     const Worth after = star.worth(site);
     if(improves(after, before, plan))
       offer({plan.search, SPLIT, after, h, target(h, tm), site}, plan);

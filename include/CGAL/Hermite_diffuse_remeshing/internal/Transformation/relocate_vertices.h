@@ -119,25 +119,26 @@ std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
   });
 }
 
-// the site with the least badness among those on the curve of v, between its neighbours
-template <typename UserMesh>
-Site better_site_on_curve(const Working_mesh<UserMesh>& mesh,
-                          const typename Working_mesh<UserMesh>::vertex_descriptor v, const Star& star)
+// A site with less badness and no worse triangle on a curve, between two parameters, found from `start` on by steps that
+// are halved; `is_allowed(parameter)`.
+template <typename IsAllowed>
+Site better_site_on_curve(const Reference& reference, const Site& start, const std::pair<double, double>& ends,
+                          const Star& star, const IsAllowed& is_allowed)
 {
-  // of the distance to the closer neighbour
+  // Of the mean distance to the ends, and of that to the closer one: a vertex may be as near to one of them as
+  // rounding lets it, and would not get away in such steps.
   constexpr double first_step = 0.2, last_step = 0.02;
-  const Reference& reference = mesh.reference();
-  const std::pair<double, double> ends = neighbor_parameters(mesh, v);
-  Site best = mesh.site(v);
-  const double length = (std::min)(best.parameter - ends.first, ends.second - best.parameter);
+  const double mean_length = (ends.second - ends.first) / 2.;
+  const double shorter_length = (std::min)(start.parameter - ends.first, ends.second - start.parameter);
+  Site best = start;
   Star::Badness least = star.badness(best);
-  for(double step = first_step; step >= last_step; )
+  for(double step = first_step * mean_length; step > 0. && step >= last_step * shorter_length; )
   {
     const double center = best.parameter;
     bool is_moved = false;
-    for(const double s : {center - step * length, center + step * length})
+    for(const double s : {center - step, center + step})
     {
-      if(s <= ends.first || s >= ends.second || !is_curve_move_faithful(mesh, v, s))
+      if(s <= ends.first || s >= ends.second || !is_allowed(s))
         continue;
       const Site candidate = reference.curve_site(best.curve, s);
       const Star::Badness b = star.badness(candidate);
@@ -159,7 +160,10 @@ template <typename UserMesh>
 Site better_site(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v,
                  const Star& star)
 {
-  return mesh.data(v).type == CURVE_VERTEX ? better_site_on_curve(mesh, v, star) : star.better_site(mesh.site(v));
+  if(mesh.data(v).type != CURVE_VERTEX)
+    return star.better_site(mesh.site(v));
+  return better_site_on_curve(mesh.reference(), mesh.site(v), neighbor_parameters(mesh, v), star,
+                              [&](const double s) { return is_curve_move_faithful(mesh, v, s); });
 }
 
 // Moves every vertex near which something has changed to where its triangles are best on the whole and
