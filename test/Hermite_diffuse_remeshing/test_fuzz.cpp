@@ -307,6 +307,7 @@ int main(int argc, char** argv)
   std::vector<unsigned> seeds;
   if(argc == 1)
     seeds = {453, 501,            // collapses of ears that touch other faces in their tips
+             10770,               // a vertex as near to its neighbour on a curve as rounding lets it
              40196};              // two triangles with the same corners
   for(unsigned i = 0; i < number; ++i)
     seeds.push_back(first + i);

@@ -3,6 +3,8 @@
 
 #include "model_measures.h"
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Feature_displacements.h>
+
 #include <cassert>
 #include <cmath>
 #include <iostream>
@@ -491,6 +493,62 @@ void test_sharp_edges()
   assert(cap == 0.);
 }
 
+// Between its samples the displacement of a fit onto a feature's spline is what closes the gap there.
+void test_feature_displacements()
+{
+  bool ok = true;
+  for(const Test_surface& s : {analytic::bump(), analytic::cone(), analytic::sin_cos()})
+  {
+    const auto model = make_model(indexed(s.mesh(1000, 1)));
+    const Indexed_triangles& triangles = model->surface.triangles();
+    const Feature_displacements displacement(model->surface, model->edges, model->curves, Progress());
+    Root_mean_square error, gaps;
+    for(int f = 0; f < triangles.number_of_faces(); ++f)
+      for(int k = 0; k < 3; ++k)
+      {
+        const int edge = model->edges.edge(f, k), c = model->curves.curve_of_edge[edge];
+        if(c == -1)
+          continue;
+        const Feature_curve& curve = model->curves.curves[c];
+        const int segment = model->curves.segment_of_edge[edge];
+        const bool is_forward = triangles.triangles[f][k] == curve.vertices[segment];
+        constexpr int number_of_places = 50;
+        for(int i = 1; i < number_of_places; ++i)
+        {
+          const double u = double(i) / number_of_places, v = is_forward ? u : 1. - u;
+          Location at{f, {{0., 0., 0.}}};
+          at.coordinates[k] = 1. - u;
+          at.coordinates[next(k)] = u;
+          const Vector gap = curve.spline.point((1. - v) * curve.spline.parameter(segment)
+                                                + v * curve.spline.parameter(segment + 1))
+                           - model->surface.evaluate(at).point();
+          gaps.add(gap.norm());
+          error.add((displacement(at) - gap).norm());
+        }
+      }
+    assert(gaps.largest > 0.);
+    ok = is_at_most(s.name + ", displacement, rms over gaps", error() / gaps(), 0.01) && ok;
+    ok = is_at_most(s.name + ", displacement, largest over gaps", error.largest / gaps.largest, 0.02) && ok;
+  }
+  assert(ok);
+}
+
+// A small face that is folded over, whose weight in the normal of its vertex would be the largest, does not turn it.
+void test_normal_beside_folded_face()
+{
+  Indexed_triangles fan;
+  fan.points.push_back(Vector::Zero());
+  const std::array<std::array<double, 2>, 6> ring =             // angle in degrees, distance
+    {{ {{0., 1.}}, {{60., 1.}}, {{120., 0.05}}, {{100., 0.05}}, {{240., 1.}}, {{300., 1.}} }};
+  for(const std::array<double, 2>& p : ring)
+    fan.points.push_back(p[1] * Vector(std::cos(p[0] * analytic::pi / 180.), std::sin(p[0] * analytic::pi / 180.), 0.));
+  for(int i = 0; i < 6; ++i)
+    fan.triangles.push_back({{0, i + 1, (i + 1) % 6 + 1}});
+  assert(fan.area_vector(2)[2] < 0.);
+  const auto model = make_model(fan);
+  assert(is_at_least("normal beside a folded face", model->surface.node(0, 0).normal[2], 0.99));
+}
+
 void test_projection()
 {
   bool ok = true;
@@ -531,6 +589,8 @@ int main()
   test_invariance();
   test_symmetric_meshes();
   test_sharp_edges();
+  test_feature_displacements();
+  test_normal_beside_folded_face();
   test_projection();
   test_form_of_paper();
   test_accuracy();

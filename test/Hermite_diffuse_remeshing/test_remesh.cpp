@@ -75,6 +75,42 @@ void test_search_of_near_faces()
   assert(number_found > 5000);
 }
 
+// However near to the end of its curve a vertex is, it gets to the middle in few steps.
+void test_steps_along_a_curve()
+{
+  using namespace HDR::internal;
+  std::cout << "steps along a curve" << std::endl;
+  Surface_mesh square;
+  const auto add = [&](const double x, const double y) { return square.add_vertex(Point_3(x, y, 0.)); };
+  const auto a = add(0., 0.), b = add(1., 0.), c = add(1., 1.), d = add(0., 1.);
+  square.add_face(a, b, c);
+  square.add_face(a, c, d);
+  const auto named = pack(CGAL::parameters::all_default());
+  const auto model = read_model(read_input<Kernel>(square, named), named);
+  Size_options options;
+  options.minimum_length = options.maximum_length = 1.;
+  Size_map sizes(model->surface, model->edges, model->curves, options);
+  const Feature_displacements displacements(model->surface, model->edges, model->curves, Progress());
+  const Reference reference{model->edges, model->edge_classes, model->vertex_classes, model->curves,
+                            model->surface, model->locator, displacements, sizes};
+  const double length = reference.curves.curves[0].spline.length();
+  const Site first = reference.curve_site(0, 0.), last = reference.curve_site(0, length);
+  const Site apex = reference.surface_site(Vector(0.5, 0.5, 0.), 0);
+  const bool is_left = (last.point - first.point).cross(apex.point - first.point)[2] > 0.;
+  Star star(reference, Star::WORST);
+  star.add_side(is_left ? last : apex, is_left ? apex : last, 0);
+  star.add_side(is_left ? apex : first, is_left ? first : apex, 0);
+  for(const double part : {0.3, 1e-3, 1e-9})
+  {
+    int number_of_steps = 0;
+    const Site best = better_site_on_curve(reference, reference.curve_site(0, part * length), {0., length}, star,
+                                           [&](double) { ++number_of_steps; return true; });
+    std::cout << "  " << number_of_steps << " steps from " << part << " to " << best.parameter / length << std::endl;
+    assert(std::abs(best.parameter / length - 0.5) < 0.02);
+    assert(number_of_steps < 200);
+  }
+}
+
 void test_real_mesh(const std::string& file)
 {
   std::cout << "real mesh " << file << std::endl;
@@ -535,6 +571,7 @@ int main(int argc, char** argv)
     return EXIT_SUCCESS;
 
   test_search_of_near_faces();
+  test_steps_along_a_curve();
   test_real_mesh(CGAL::data_file_path("meshes/elephant.off"));
   test_real_mesh(CGAL::data_file_path("meshes/fandisk.off"));
   test_torus_accuracy();
