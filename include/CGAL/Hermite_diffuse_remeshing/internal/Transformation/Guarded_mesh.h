@@ -253,42 +253,31 @@ private:
   }
 
   // Looks for a ball around v, with the radius at least. Faces are met in the order of their distances, as far as they
-  // hang together; the ball ends at the first that turns from the others or lies above them, or at another sheet.
+  // hang together; the ball ends at the first that turns from the others or lies above them, or at another sheet. Where
+  // no ball was found beside, that of a thin sheet as a rule, the other one is looked for before faces farther away.
   bool search(const vertex_descriptor v, const double radius)
   {
     note_moved();
     const Vector center = point(v);
-    double clear = clearance * reach_of_search * radius;
+    const double needed = clearance * radius;
+    double clear = reach_of_search * needed;
     begin_search(v);
     Normal_cone cone(unit_normal(m_met.front().triangle), least_angle);
     m_view.clear();
-    while(!m_queue.empty() && m_queue.front().first < clear)
-    {
-      const double distance = m_queue.front().first;
-      const Met_face met = m_met[m_queue.front().second];
-      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
-      m_queue.pop_back();
-      if(!cone.add(unit_normal(met.triangle), largest_angle_found)
-         || (m_met.size() >= satisfying_number_of_faces && distance >= clearance * radius))
-        clear = distance;
-      m_view.add(met.triangle, distance);
-      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(met.face, tmesh()), tmesh()))
-        meet(opposite(h, tmesh()), center, clear);
-    }
-    if(clear >= clearance * radius)
-      clear = m_view.simple_radius(cone.axis(), clear);
-    if(clear >= clearance * radius)
-    {
-      const Vector reach = Vector::Constant(clear);
-      m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f, const Bounding_box& box)
-      {
-        if(get(m_search, f) != m_number_of_searches)
-          clear = (std::min)(clear, box.distance(center));
-        return true;
-      });
-    }
     Surroundings& around = m_surroundings[index(v)];
-    if(clear < clearance * radius)
+    if(std::isfinite(around.bound))
+    {
+      meet_up_to(needed, needed, center, cone, clear);
+      if(clear >= needed)
+        clear = (std::min)(clear, distance_of_other_sheet(center, needed));
+    }
+    if(clear >= needed)
+      meet_up_to(clear, needed, center, cone, clear);
+    if(clear >= needed)
+      clear = m_view.simple_radius(cone.axis(), clear);
+    if(clear >= needed)
+      clear = (std::min)(clear, distance_of_other_sheet(center, clear));
+    if(clear < needed)
     {
       around.bound = clear / clearance;
       return false;
@@ -296,6 +285,38 @@ private:
     around.ball = static_cast<int>(m_balls.size());
     m_balls.push_back({center, cone.axis(), clear / clearance});
     return true;
+  }
+
+  // meets the faces up to a distance, or to where the ball ends: `clear` becomes smaller then
+  void meet_up_to(const double limit, const double needed, const Vector& center, Normal_cone& cone, double& clear)
+  {
+    while(!m_queue.empty() && m_queue.front().first < (std::min)(limit, clear))
+    {
+      const double distance = m_queue.front().first;
+      const Met_face met = m_met[m_queue.front().second];
+      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
+      m_queue.pop_back();
+      if(!cone.add(unit_normal(met.triangle), largest_angle_found)
+         || (m_met.size() >= satisfying_number_of_faces && distance >= needed))
+        clear = distance;
+      m_view.add(met.triangle, distance);
+      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(met.face, tmesh()), tmesh()))
+        meet(opposite(h, tmesh()), center, clear);
+    }
+  }
+
+  // that of the nearest face, closer than `limit`, that the search has not met; else infinity
+  double distance_of_other_sheet(const Vector& center, const double limit) const
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    const Vector reach = Vector::Constant(limit);
+    m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f, const Bounding_box& box)
+    {
+      if(get(m_search, f) != m_number_of_searches)
+        result = (std::min)(result, box.distance(center));
+      return true;
+    });
+    return result;
   }
 
   void begin_search(const vertex_descriptor v)
