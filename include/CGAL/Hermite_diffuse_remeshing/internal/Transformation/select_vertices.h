@@ -56,7 +56,7 @@ movable_vertices(const Working_mesh<UserMesh>& mesh, const std::size_t since)
   {
     if(mesh.is_stopped_at(step++))
       return std::vector<vertex_descriptor>();
-    if(mesh.index(v) != -1 && mesh.has_changed(v, since) && !mesh.is_fixed(v)
+    if(mesh.has_changed(v, since) && !mesh.is_fixed(v)
        && first_remeshed_halfedge(mesh, v) != Working_mesh<UserMesh>::Graph_traits::null_halfedge())
       numbered.push_back(std::make_pair(mesh.index(v), v));
   }
