@@ -31,8 +31,9 @@ namespace internal {
 // would cost another fit.
 class Feature_displacements
 {
-  // At the middles of the intervals about a thousandth of the largest gap is left.
-  static constexpr int number_of_intervals = 8;
+  // Between the samples less than a thousandth of the gaps is left: where the bound of the deviation is a
+  // twentieth of the gaps, nothing that counts.
+  static constexpr int number_of_intervals = 32;
   typedef std::array<Vector, number_of_intervals + 1> Gaps;     // from the first end of the side to the other
 
   static constexpr int none = -1;
