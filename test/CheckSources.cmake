@@ -24,9 +24,43 @@ file(GLOB _users_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
      include/CGAL/*.h include/CGAL/Polygon_mesh_processing/*.h include/CGAL/Hermite_diffuse_remeshing/*.h)
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" include/*.h benchmark/*.cpp)
 
-# The libraries' headers take most of the time. Only the headers that users include must bring all of theirs; the others
-# are seen after them, which clang compiles once for all.
-set(_libraries_of_internal_headers)
+# clang compiles only once what they have in common, the libraries' headers and the model. Only the headers that users
+# include must bring all libraries' headers of theirs; the others are seen after these. One of ours is seen first by
+# those sources alone that include it themselves.
+set(_model include/CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h)
+set(_remeshing include/CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h)
+
+# whether `source` includes `header`, or is it
+function(includes_header source header result)
+  get_property(_known GLOBAL PROPERTY "${source} includes ${header}")
+  if("${_known}" STREQUAL "")
+    set(_known NO)
+    if(source STREQUAL header)
+      set(_known YES)
+    endif()
+    file(STRINGS "${PROJECT_SOURCE_DIR}/${source}" _lines REGEX "^#include <CGAL/.*[Hh]ermite_diffuse")
+    foreach(_line ${_lines})
+      string(REGEX REPLACE "^#include <(.*)>.*" "include/\\1" _included "${_line}")
+      if(NOT _known AND NOT _included STREQUAL source)
+        includes_header("${_included}" "${header}" _known)
+      endif()
+    endforeach()
+    set_property(GLOBAL PROPERTY "${source} includes ${header}" ${_known})
+  endif()
+  set(${result} ${_known} PARENT_SCOPE)
+endfunction()
+
+# a test that precompiles the lines
+function(precompile name lines)
+  string(REPLACE ";" "\n" _lines "${lines}\n")
+  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/${name}.h" "${_lines}")
+  add_test(NAME "precompile_${name}"
+    COMMAND "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} -fpch-instantiate-templates -x c++-header
+            "${CMAKE_CURRENT_BINARY_DIR}/${name}.h" -o "${CMAKE_CURRENT_BINARY_DIR}/${name}.pch")
+  # the others wait for it
+  set_tests_properties("precompile_${name}" PROPERTIES FIXTURES_SETUP "precompiled_${name}" COST 900)
+endfunction()
+
 if(Hermite_diffuse_remeshing_CHECK_COMPILER MATCHES "clang")
   set(_library_headers)
   foreach(_source ${_sources})
@@ -37,26 +71,38 @@ if(Hermite_diffuse_remeshing_CHECK_COMPILER MATCHES "clang")
     endif()
   endforeach()
   list(REMOVE_DUPLICATES _library_headers)
-  string(REPLACE ";" "\n" _library_headers "${_library_headers}\n")
-  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/libraries.h" "${_library_headers}")
-  set(_precompiled "${CMAKE_CURRENT_BINARY_DIR}/libraries.pch")
-  add_test(NAME precompile_libraries
-    COMMAND "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} -x c++-header
-            "${CMAKE_CURRENT_BINARY_DIR}/libraries.h" -o "${_precompiled}")
-  set_tests_properties(precompile_libraries PROPERTIES FIXTURES_SETUP precompiled_libraries)
-  set(_libraries_of_internal_headers -include-pch "${_precompiled}")
+  precompile(libraries "${_library_headers}")
+  precompile(libraries_and_model "${_library_headers};#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
+  precompile(model "#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
+  precompile(remeshing "#include \"${PROJECT_SOURCE_DIR}/${_remeshing}\"")
 endif()
 
 foreach(_source ${_sources})
   string(MAKE_C_IDENTIFIER "${_source}" _name)
-  set(_libraries)
-  if(_libraries_of_internal_headers AND NOT _source IN_LIST _users_headers)
-    set(_libraries ${_libraries_of_internal_headers})
+  includes_header("${_source}" "${_model}" _includes_model)
+  includes_header("${_source}" "${_remeshing}" _includes_remeshing)
+  set(_precompiled)
+  if(_source STREQUAL _model OR _source STREQUAL _remeshing)
+    # alone indeed
+  elseif(_includes_remeshing)
+    set(_precompiled remeshing)
+  elseif(_source IN_LIST _users_headers)
+    if(_includes_model)
+      set(_precompiled model)
+    endif()
+  elseif(_includes_model)
+    set(_precompiled libraries_and_model)
+  else()
+    set(_precompiled libraries)
+  endif()
+
+  set(_alone)
+  if(_precompiled AND TEST "precompile_${_precompiled}")
+    set(_alone -include-pch "${CMAKE_CURRENT_BINARY_DIR}/${_precompiled}.pch")
   endif()
   add_test(NAME "alone_${_name}"
-    COMMAND ${_check} compiles "${_source}"
-            "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} ${_libraries})
-  if(_libraries)
-    set_tests_properties("alone_${_name}" PROPERTIES FIXTURES_REQUIRED precompiled_libraries)
+    COMMAND ${_check} compiles "${_source}" "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} ${_alone})
+  if(_alone)
+    set_tests_properties("alone_${_name}" PROPERTIES FIXTURES_REQUIRED "precompiled_${_precompiled}")
   endif()
 endforeach()

@@ -113,7 +113,8 @@ void f(CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Poi
 END
   ;;
 
-# package WAY CMAKE_OPTIONS...: a program outside of the tree uses this package, installed or as a subfolder
+# package WAY CMAKE_OPTIONS...: a program outside of the tree uses this package, installed or as a subfolder. One that
+# compiles fast, as what is looked at is that it finds the headers and libraries.
 package)
   way=$2
   shift 2
@@ -142,17 +143,20 @@ target_link_libraries(user_program PRIVATE Hermite_diffuse_remeshing::Hermite_di
 END
   cat > "$folder/user/program/main.cpp" <<END
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_features.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 int main()
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-  CGAL::Surface_mesh<Point> mesh;
-  CGAL::make_icosahedron(mesh, Point(0., 0., 0.), 1.);
-  const auto report = CGAL::Polygon_mesh_processing::hermite_diffuse_remesh(mesh,
-    CGAL::parameters::approximation_error(0.1).sharp_dihedral_angle(180.));
-  return report.number_of_faces > 20 && report.smallest_quality > 0.5 ? 0 : 1;
+  using namespace CGAL::Hermite_diffuse_remeshing;
+  typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
+  Mesh mesh;
+  CGAL::make_icosahedron(mesh, Mesh::Point(0., 0., 0.), 1.);
+  const auto edge_classes = mesh.add_property_map<Mesh::Edge_index, Edge_class>("e:class").first;
+  const auto vertex_classes = mesh.add_property_map<Mesh::Vertex_index, Vertex_class>("v:class").first;
+  CGAL::Polygon_mesh_processing::hermite_diffuse_classify_features(mesh, edge_classes, vertex_classes,
+    CGAL::parameters::sharp_dihedral_angle(40.));
+  return edge_classes[*mesh.edges().begin()] == SHARP_EDGE ? 0 : 1;       // of 41.8 degrees
 }
 END
   cmake -S "$folder/user" -B "$folder/build" "$@" > "$folder/log" 2>&1 \
