@@ -2,3 +2,9 @@
 
 COMPILED_ONCE_STAGES(, compiled_once::Surface_mesh_user)
 COMPILED_ONCE_STAGES(, compiled_once::Polyhedron_user)
+
+COMPILED_ONCE_FITS(, 2)
+COMPILED_ONCE_FITS(, 3)
+COMPILED_ONCE_FITS(, 4)
+
+COMPILED_ONCE_MESH(, CGAL::Surface_mesh<compiled_once::Kernel::Point_3>)

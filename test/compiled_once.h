@@ -1,5 +1,6 @@
 // What nearly all tests and examples include and instantiate, for a build in which it is compiled once: the stages of
-// the remeshing for the two types of mesh that they use, called without constraints or patches.
+// the remeshing for the two types of mesh that they use, called without constraints or patches, the fits, and the most
+// used type of mesh with its files.
 
 #ifndef HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
 #define HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
@@ -12,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace compiled_once {
@@ -41,5 +43,23 @@ typedef User<CGAL::Polyhedron_3<Kernel> > Polyhedron_user;
 
 COMPILED_ONCE_STAGES(extern, compiled_once::Surface_mesh_user)
 COMPILED_ONCE_STAGES(extern, compiled_once::Polyhedron_user)
+
+#define COMPILED_ONCE_FITS(PREFIX, DEGREE)                                                                   \
+  PREFIX template class CGAL::Hermite_diffuse_remeshing::internal::Local_polynomial<DEGREE>;                 \
+  PREFIX template double CGAL::Hermite_diffuse_remeshing::internal::Local_polynomial<DEGREE>::solve<0>();    \
+  PREFIX template double CGAL::Hermite_diffuse_remeshing::internal::Local_polynomial<DEGREE>::solve<1>();
+
+COMPILED_ONCE_FITS(extern, 2)
+COMPILED_ONCE_FITS(extern, 3)
+COMPILED_ONCE_FITS(extern, 4)
+
+#define COMPILED_ONCE_MESH(PREFIX, MESH)                                                                     \
+  PREFIX template class MESH;                                                                                \
+  PREFIX template bool CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(                                 \
+    const std::string&, MESH&, const CGAL::parameters::Default_named_parameters&);                           \
+  PREFIX template bool CGAL::IO::write_polygon_mesh(                                                         \
+    const std::string&, MESH&, const decltype(CGAL::parameters::stream_precision(17))&);
+
+COMPILED_ONCE_MESH(extern, CGAL::Surface_mesh<compiled_once::Kernel::Point_3>)
 
 #endif // HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H

@@ -4,6 +4,7 @@
 #include "model_measures.h"
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Feature_displacements.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/crossing_of_ridge.h>
 
 #include <cassert>
 #include <cmath>
@@ -511,16 +512,13 @@ void test_feature_displacements()
           continue;
         const Feature_curve& curve = model->curves.curves[c];
         const int segment = model->curves.segment_of_edge[edge];
-        const bool is_forward = triangles.triangles[f][k] == curve.vertices[segment];
+        const Face_side side{f, k};
         constexpr int number_of_places = 50;
         for(int i = 1; i < number_of_places; ++i)
         {
-          const double u = double(i) / number_of_places, v = is_forward ? u : 1. - u;
-          Location at{f, {{0., 0., 0.}}};
-          at.coordinates[k] = 1. - u;
-          at.coordinates[next(k)] = u;
-          const Vector gap = curve.spline.point((1. - v) * curve.spline.parameter(segment)
-                                                + v * curve.spline.parameter(segment + 1))
+          const double u = double(i) / number_of_places;
+          const Location at = location_on_side(side, u);
+          const Vector gap = curve.spline.point(curve.parameter(segment, side, u, triangles))
                            - model->surface.evaluate(at).point();
           gaps.add(gap.norm());
           error.add((displacement(at) - gap).norm());
@@ -531,6 +529,23 @@ void test_feature_displacements()
     ok = is_at_most(s.name + ", displacement, largest over gaps", error.largest / gaps.largest, 1e-3) && ok;
   }
   assert(ok);
+}
+
+// A chord between two places over neighbouring faces crosses their common side where its projection does.
+void test_crossing_of_ridge()
+{
+  Indexed_triangles square;
+  square.points = {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(0., 1., 0.), Vector(1., 1., 0.)};
+  square.triangles = {{{0, 1, 2}}, {{1, 3, 2}}};
+  const auto model = make_model(square);
+  const Location first{0, {{0.5, 0.25, 0.25}}}, second{1, {{0.25, 0.5, 0.25}}};
+  const Vector p(0.25, 0.25, 0.1), q(0.75, 0.5, -0.2);                // x + y is 1/2 and 5/4
+  Location crossing = crossing_of_ridge(model->surface, first, p, second, q);
+  assert(crossing.face == 0 && (square.point(crossing) - Vector(7. / 12., 5. / 12., 0.)).norm() < 1e-12);
+  crossing = crossing_of_ridge(model->surface, second, q, first, p);
+  assert(crossing.face == 1 && (square.point(crossing) - Vector(7. / 12., 5. / 12., 0.)).norm() < 1e-12);
+  assert(crossing_of_ridge(model->surface, first, p, first, q).face == -1);
+  assert(crossing_of_ridge(model->surface, first, p, second, p).face == -1);
 }
 
 // A small face that is folded over, whose weight in the normal of its vertex would be the largest, does not turn it.
@@ -590,6 +605,7 @@ int main()
   test_symmetric_meshes();
   test_sharp_edges();
   test_feature_displacements();
+  test_crossing_of_ridge();
   test_normal_beside_folded_face();
   test_projection();
   test_form_of_paper();

@@ -120,6 +120,21 @@ void test_contract(const Surface_mesh& input, const double part, const double le
   assert(to_input <= report.largest_deviation + report.distance_of_model_from_input);
 }
 
+// The fits of coarse needles meet with ridges of many degrees, which small faces of the result see between their
+// middles alone.
+void test_ridges()
+{
+  const Surface_mesh input = read_mesh<Surface_mesh>("joint.off");
+  const double bound = 2e-4 * diagonal(input);
+  const auto parameters = params::maximum_deviation(bound);
+  Surface_mesh mesh = input;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, parameters);
+  assert(report.is_maximum_deviation_met);
+  const Surface_mesh model = sampled_model(input, parameters, 0.03 * bound);
+  assert(PMP::approximate_Hausdorff_distance<CGAL::Sequential_tag>(model, mesh,
+           params::random_seed(0).number_of_points_on_faces(300000)) <= bound);
+}
+
 // edges that may not change decide where the bound cannot be met
 void test_protected_edges()
 {
@@ -181,6 +196,7 @@ int main()
   test_contract(make_mesh<Surface_mesh>(analytic::Frustum().mesh(1000, 3)), 4e-3, 0.5);
   // so coarse that the model bends between the vertices of the input
   test_contract(make_mesh<Surface_mesh>(analytic::Ellipsoid_123().mesh(200, 3)), 4e-3, 0.4);
+  test_ridges();
   test_protected_edges();
   test_absurd_tolerances();
   analytic::Frustum cylinder, cone;

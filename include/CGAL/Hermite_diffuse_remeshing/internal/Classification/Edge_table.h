@@ -26,6 +26,17 @@ struct Face_side
   int side = -1;
 };
 
+// the place that is the part u of the side
+inline Location location_on_side(const Face_side& side, const double u)
+{
+  Location result;
+  result.face = side.face;
+  result.coordinates.fill(0.);
+  result.coordinates[side.side] = 1. - u;
+  result.coordinates[next(side.side)] = u;
+  return result;
+}
+
 // The undirected edges of a set of triangles, with any number of faces at each.
 class Edge_table
 {

@@ -34,13 +34,20 @@ struct Feature_curve
   {
     const std::pair<int, double> at = spline.segment(s);
     const Face_side& side = edge_table.side(edges[at.first], 0);
-    const bool is_forward = surface.triangles[side.face][side.side] == vertices[at.first];
-    Location result;
-    result.face = side.face;
-    result.coordinates.fill(0.);
-    result.coordinates[side.side] = is_forward ? 1. - at.second : at.second;
-    result.coordinates[next(side.side)] = is_forward ? at.second : 1. - at.second;
-    return result;
+    return location_on_side(side, along(at.first, at.second, side, surface));
+  }
+
+  // the parameter of the point above the place that is the part u of a side on the segment
+  double parameter(const int segment, const Face_side& side, const double u, const Indexed_triangles& surface) const
+  {
+    const double v = along(segment, u, side, surface);
+    return (1. - v) * spline.parameter(segment) + v * spline.parameter(segment + 1);
+  }
+
+  // from a part of the segment to that of a side on it, or back
+  double along(const int segment, const double u, const Face_side& side, const Indexed_triangles& surface) const
+  {
+    return surface.triangles[side.face][side.side] == vertices[segment] ? u : 1. - u;
   }
 };
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -37,6 +38,7 @@ class Feature_displacements
   typedef std::array<Vector, number_of_intervals + 1> Gaps;     // from the first end of the side to the other
 
   static constexpr int none = -1;
+  static constexpr std::size_t number_in_block = 4096;          // of sides that are sampled before most are left out
   std::vector<int> m_entry_of_face;                   // most faces have no feature side
   std::vector<std::array<int, 3> > m_gaps_of_sides;   // by the entry
   std::vector<Gaps> m_gaps;
@@ -51,23 +53,18 @@ public:
       for(const int e : curve.edges)
         for(int i = 0; i < edges.number_of_sides(e); ++i)
           sides.push_back(edges.side(e, i));
-    m_gaps.resize(sides.size());
-    for_each_index(static_cast<int>(sides.size()), surface.options().is_parallel, [&]
+    // Only those that are not zero are kept: straight curves between planes have none.
+    std::vector<Gaps> block((std::min)(number_in_block, sides.size()));
+    for(std::size_t first = 0; first < sides.size(); first += number_in_block)
     {
-      return [&](const int i) { m_gaps[i] = sample(surface, edges, curves, sides[i]); };
-    }, progress);
-    for(std::size_t i = 0; i < sides.size(); ++i)
-    {
-      // straight curves between planes have none
-      if(std::all_of(m_gaps[i].begin(), m_gaps[i].end(), [](const Vector& gap) { return gap == Vector::Zero(); }))
-        continue;
-      int& entry = m_entry_of_face[sides[i].face];
-      if(entry == none)
+      const std::size_t number = (std::min)(number_in_block, sides.size() - first);
+      for_each_index(static_cast<int>(number), surface.options().is_parallel, [&]
       {
-        entry = static_cast<int>(m_gaps_of_sides.size());
-        m_gaps_of_sides.push_back({{none, none, none}});
-      }
-      m_gaps_of_sides[entry][sides[i].side] = static_cast<int>(i);
+        return [&](const int i) { block[i] = sample(surface, edges, curves, sides[first + i]); };
+      }, progress.part(double(first) / double(sides.size()), double(first + number) / double(sides.size())));
+      for(std::size_t i = 0; i < number; ++i)
+        if(!std::all_of(block[i].begin(), block[i].end(), [](const Vector& gap) { return gap == Vector::Zero(); }))
+          add(sides[first + i], block[i]);
     }
   }
 
@@ -90,6 +87,18 @@ public:
   }
 
 private:
+  void add(const Face_side& side, const Gaps& gaps)
+  {
+    int& entry = m_entry_of_face[side.face];
+    if(entry == none)
+    {
+      entry = static_cast<int>(m_gaps_of_sides.size());
+      m_gaps_of_sides.push_back({{none, none, none}});
+    }
+    m_gaps_of_sides[entry][side.side] = static_cast<int>(m_gaps.size());
+    m_gaps.push_back(gaps);
+  }
+
   static Gaps sample(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
                      const Face_side& side)
   {
@@ -100,19 +109,13 @@ private:
     // of the points: not more than that is none
     constexpr double rounding = 1e-13;
     const double least_gap = rounding * (length + first.norm());
-    const bool is_forward = surface.triangles().triangles[side.face][side.side] == curve.vertices[segment];
+
     Gaps gaps;
     gaps.fill(Vector::Zero());
     for(int i = 1; i < number_of_intervals; ++i)
     {
-      const double u = double(i) / number_of_intervals, v = is_forward ? u : 1. - u;
-      const double s = (1. - v) * curve.spline.parameter(segment) + v * curve.spline.parameter(segment + 1);
-      Location foot;
-      foot.face = side.face;
-      foot.coordinates.fill(0.);
-      foot.coordinates[side.side] = 1. - u;
-      foot.coordinates[next(side.side)] = u;
-      const Vector gap = curve.spline.point(s) - surface.evaluate(foot).point();
+      const double u = double(i) / number_of_intervals, s = curve.parameter(segment, side, u, surface.triangles());
+      const Vector gap = curve.spline.point(s) - surface.evaluate(location_on_side(side, u)).point();
       if(gap.norm() > least_gap)
         gaps[i] = gap;
     }

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/crossing_of_ridge.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_gaps.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Target_meter.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
@@ -26,10 +27,10 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Measures the deviation of the working mesh from the reference. From the mesh to the model: at vertices,
-// edge middles and face centroids, and where these tell that it is larger in between; at feature edges between the
-// edge and its curve. And back: from points of the model to the closest facet of the mesh. What is between
-// the points is allowed for by a margin. Throws Interrupted on request.
+// Measures the deviation of the working mesh from the reference. From the mesh to the model: at vertices, edge middles
+// and face centroids, and where these tell that it is larger in between; at feature edges between the edge and its
+// curve. And back, to the closest facet of the mesh: from points of the model, and where edges cross its ridges. What
+// is between the points is allowed for by a margin. Throws Interrupted on request.
 template <typename UserMesh>
 class Deviation_meter
 {
@@ -157,7 +158,6 @@ private:
     m_deviations.summarize();
     m_second_look = (std::min)(m_bound, m_deviations.largest / raised);
     measure_peaks();
-    measure_ridges();
     std::vector<face_descriptor> new_faces;
     for(std::size_t i = 0; i < m_is_new.size(); ++i)
       if(m_is_new[i])
@@ -247,6 +247,9 @@ private:
   {
     Reference::Nearest nearest;
     double deviation;                   // on curves, of the whole arc
+    Vector ridge = Vector::Zero();      // of the model, that the edge crosses
+    Location location_of_ridge;
+    double distance_of_ridge = 0.;
   };
 
   void measure_edges()
@@ -267,6 +270,8 @@ private:
       const Reference::Nearest& nearest = measured.nearest;
       m_deviations.add(middle(h), measured.deviation, nearest.location, {index_at(h), index_at(opposite(h, tm))},
                        is_on_curve && m_mesh.is_protected(h));
+      m_deviations.add(measured.ridge, measured.distance_of_ridge, measured.location_of_ridge,
+                       {index_at(h), index_at(opposite(h, tm))});
       for(const halfedge_descriptor side : {h, opposite(h, tm)})
       {
         const int i = index_at(side);
@@ -285,12 +290,13 @@ private:
   Edge_measurement measure_edge(const halfedge_descriptor h) const
   {
     const Vector p = middle(h);
-    const int curve = m_mesh.curve(h);
     Edge_measurement result;
+    const int curve = m_mesh.curve(h);
     if(curve == -1)
     {
       result.nearest = project(p, h);
       result.deviation = result.nearest.distance;
+      measure_ridge(h, result);
       return result;
     }
     const double u = m_mesh.parameter(source(h, m_mesh.tmesh()), curve), v = m_mesh.parameter(target(h, m_mesh.tmesh()), curve);
@@ -302,6 +308,20 @@ private:
     result.deviation = (std::max)(result.nearest.distance, m_mesh.reference().curves.curves[curve].spline
                                     .distance_to_chord((std::min)(u, v), (std::max)(u, v)));
     return result;
+  }
+
+  // A ridge is farther from the mesh than the mesh from the slopes at its sides.
+  void measure_ridge(const halfedge_descriptor h, Edge_measurement& result) const
+  {
+    const TriangleMesh& tm = m_mesh.tmesh();
+    const Site& from = m_mesh.site(source(h, tm));
+    const Site& to = m_mesh.site(target(h, tm));
+    result.location_of_ridge =
+      crossing_of_ridge(m_mesh.reference().surface, from.location, from.point, to.location, to.point);
+    if(result.location_of_ridge.face == -1)
+      return;
+    result.ridge = m_mesh.reference().surface_point(result.location_of_ridge);
+    result.distance_of_ridge = std::sqrt(walk_to_closest(m_mesh, face(h, tm), result.ridge).distance2);
   }
 
   // At an edge on a curve, which the model may leave in the plane of the face, only what is across the plane counts.
@@ -356,24 +376,6 @@ private:
       const double height = std::abs(m_gaps[f](m_gaps[f].peak()));
       return height > m_second_look && raised * height > m_deviations.faces[f].deviation;
     }), [&](const int f) { return m_gaps[f].peak(); });
-  }
-
-  // Over coarse faces of the reference, whose fits meet with a slight ridge, heights are no cubics: where they are
-  // near the bound, there are more points.
-  void measure_ridges()
-  {
-    const std::vector<int> near_bound = numbers_of_new_faces([&](const int f)
-    {
-      const Face_deviation<face_descriptor>& entry = m_deviations.faces[f];
-      return entry.deviation > part_to_look_around * raised * m_bound && m_targets.number_of_parts(entry.location) > 1;
-    });
-    for(int k = 0; k < 3; ++k)
-      measure_points(near_bound, [&](int)
-      {
-        Barycentric l = {{1. / 6., 1. / 6., 1. / 6.}};
-        l[k] = 2. / 3.;
-        return l;
-      });
   }
 
   // `place(face)`: barycentric coordinates in the face
