@@ -7,4 +7,4 @@ COMPILED_ONCE_FITS(, 2)
 COMPILED_ONCE_FITS(, 3)
 COMPILED_ONCE_FITS(, 4)
 
-COMPILED_ONCE_MESH(, CGAL::Surface_mesh<compiled_once::Kernel::Point_3>)
+COMPILED_ONCE_FILES(, CGAL::Surface_mesh<compiled_once::Kernel::Point_3>)

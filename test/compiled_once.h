@@ -1,6 +1,6 @@
 // What nearly all tests and examples include and instantiate, for a build in which it is compiled once: the stages of
-// the remeshing for the two types of mesh that they use, called without constraints or patches, the fits, and the most
-// used type of mesh with its files.
+// the remeshing for the two types of mesh that they use, called without constraints or patches, the fits, and the
+// files of the most used type.
 
 #ifndef HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
 #define HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
@@ -53,13 +53,12 @@ COMPILED_ONCE_FITS(extern, 2)
 COMPILED_ONCE_FITS(extern, 3)
 COMPILED_ONCE_FITS(extern, 4)
 
-#define COMPILED_ONCE_MESH(PREFIX, MESH)                                                                     \
-  PREFIX template class MESH;                                                                                \
+#define COMPILED_ONCE_FILES(PREFIX, MESH)                                                                    \
   PREFIX template bool CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(                                 \
     const std::string&, MESH&, const CGAL::parameters::Default_named_parameters&);                           \
   PREFIX template bool CGAL::IO::write_polygon_mesh(                                                         \
     const std::string&, MESH&, const decltype(CGAL::parameters::stream_precision(17))&);
 
-COMPILED_ONCE_MESH(extern, CGAL::Surface_mesh<compiled_once::Kernel::Point_3>)
+COMPILED_ONCE_FILES(extern, CGAL::Surface_mesh<compiled_once::Kernel::Point_3>)
 
 #endif // HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
