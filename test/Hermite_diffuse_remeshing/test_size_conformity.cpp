@@ -124,7 +124,7 @@ void test_contract(const Surface_mesh& input, const double part, const double le
 // middles alone.
 void test_ridges()
 {
-  const Surface_mesh input = read_mesh<Surface_mesh>("joint.off");
+  const Surface_mesh input = read_data<Surface_mesh>("joint.off");
   const double bound = 2e-4 * diagonal(input);
   const auto parameters = params::maximum_deviation(bound);
   Surface_mesh mesh = input;
