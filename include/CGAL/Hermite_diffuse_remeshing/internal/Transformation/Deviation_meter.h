@@ -248,8 +248,7 @@ private:
     Reference::Nearest nearest;
     double deviation;                   // on curves, of the whole arc
     Vector ridge = Vector::Zero();      // of the model, that the edge crosses
-    Location location_of_ridge;
-    double distance_of_ridge = 0.;
+    Reference::Nearest at_ridge = {Location(), 0.};     // without a face if there is none
   };
 
   void measure_edges()
@@ -270,8 +269,9 @@ private:
       const Reference::Nearest& nearest = measured.nearest;
       m_deviations.add(middle(h), measured.deviation, nearest.location, {index_at(h), index_at(opposite(h, tm))},
                        is_on_curve && m_mesh.is_protected(h));
-      m_deviations.add(measured.ridge, measured.distance_of_ridge, measured.location_of_ridge,
-                       {index_at(h), index_at(opposite(h, tm))});
+      if(measured.at_ridge.location.face != -1)
+        m_deviations.add(measured.ridge, measured.at_ridge.distance, measured.at_ridge.location,
+                         {index_at(h), index_at(opposite(h, tm))});
       for(const halfedge_descriptor side : {h, opposite(h, tm)})
       {
         const int i = index_at(side);
@@ -290,8 +290,8 @@ private:
   Edge_measurement measure_edge(const halfedge_descriptor h) const
   {
     const Vector p = middle(h);
-    Edge_measurement result;
     const int curve = m_mesh.curve(h);
+    Edge_measurement result;
     if(curve == -1)
     {
       result.nearest = project(p, h);
@@ -316,12 +316,12 @@ private:
     const TriangleMesh& tm = m_mesh.tmesh();
     const Site& from = m_mesh.site(source(h, tm));
     const Site& to = m_mesh.site(target(h, tm));
-    result.location_of_ridge =
+    const Location crossing =
       crossing_of_ridge(m_mesh.reference().surface, from.location, from.point, to.location, to.point);
-    if(result.location_of_ridge.face == -1)
+    if(crossing.face == -1)
       return;
-    result.ridge = m_mesh.reference().surface_point(result.location_of_ridge);
-    result.distance_of_ridge = std::sqrt(walk_to_closest(m_mesh, face(h, tm), result.ridge).distance2);
+    result.ridge = m_mesh.reference().surface_point(crossing);
+    result.at_ridge = {crossing, std::sqrt(walk_to_closest(m_mesh, face(h, tm), result.ridge).distance2)};
   }
 
   // At an edge on a curve, which the model may leave in the plane of the face, only what is across the plane counts.
