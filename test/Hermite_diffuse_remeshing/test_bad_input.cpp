@@ -92,6 +92,17 @@ Surface_mesh mesh_with_touching_ear()
   return mesh;
 }
 
+// Two faces with the same corners: a split of an edge would make two edges between its middle and the third corner.
+Surface_mesh coincident_faces()
+{
+  Surface_mesh mesh;
+  const auto a = mesh.add_vertex(Point_3(0., 0., 0.)), b = mesh.add_vertex(Point_3(1., 0., 0.)),
+             c = mesh.add_vertex(Point_3(0., 1., 0.));
+  mesh.add_face(a, b, c);
+  mesh.add_face(a, c, b);
+  return mesh;
+}
+
 Surface_mesh grid(const int n, const double height)
 {
   analytic::Triangles t;
@@ -262,6 +273,13 @@ void test_accepted_as_they_are()
                                       .corner_angle(180.));
   assert(CGAL::is_valid_polygon_mesh(mesh) && euler_characteristic(mesh) == euler_characteristic(ear));
   assert(number_of_border_loops(mesh) == number_of_border_loops(ear));
+
+  // two faces back to back stay two, and what is beside them is remeshed
+  mesh = coincident_faces();
+  mesh += tetrahedron(1., 5.);
+  report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).maximum_edge_length(0.1));
+  assert(CGAL::is_valid_polygon_mesh(mesh) && mesh.number_of_faces() > 102);
+  assert(mesh.degree(Surface_mesh::Vertex_index(0)) == 2);
 
   // components of very different sizes, closed and open
   mesh = tetrahedron(1e-6, 5.);

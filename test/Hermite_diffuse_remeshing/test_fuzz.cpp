@@ -19,6 +19,7 @@
 #include <ctime>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 typedef Surface_mesh::Vertex_index Vertex;
 typedef Surface_mesh::Halfedge_index Halfedge;
@@ -265,6 +266,15 @@ void check(const bool is_true, const char* what)
     throw std::runtime_error(what);
 }
 
+bool has_double_edge(const Surface_mesh& mesh)
+{
+  std::vector<std::pair<Vertex, Vertex> > edges;
+  for(const Edge e : mesh.edges())
+    edges.push_back(std::minmax(mesh.vertex(e, 0), mesh.vertex(e, 1)));
+  std::sort(edges.begin(), edges.end());
+  return std::adjacent_find(edges.begin(), edges.end()) != edges.end();
+}
+
 // returns whether the mesh was accepted
 bool run(const unsigned seed, const std::size_t largest_budget)
 {
@@ -292,6 +302,7 @@ bool run(const unsigned seed, const std::size_t largest_budget)
   PMP::remove_isolated_vertices(connected);
   check(euler_characteristic(output) == euler_characteristic(connected), "the topology has changed");
   check(number_of_border_loops(output) == number_of_border_loops(input), "the border has changed");
+  check(!has_double_edge(output), "two edges between the same vertices");
   for(const Vertex v : output.vertices())
     check(std::isfinite(output.point(v).x()) && std::isfinite(output.point(v).y()) && std::isfinite(output.point(v).z()),
           "a point is not finite");
@@ -308,6 +319,7 @@ int main(int argc, char** argv)
   if(argc == 1)
     seeds = {453, 501,            // collapses of ears that touch other faces in their tips
              10770,               // a vertex as near to its neighbour on a curve as rounding lets it
+             27515,               // a collapse between two triangles with the same corners
              40196};              // two triangles with the same corners
   for(unsigned i = 0; i < number; ++i)
     seeds.push_back(first + i);

@@ -27,8 +27,18 @@ bool is_tip_of_touching_ear(const typename boost::graph_traits<TriangleMesh>::ha
   return is_border(opposite(prev(opposite(h, tm), tm), tm), tm) && degree(target(h, tm), tm) > 2;
 }
 
-// May Euler::collapse_edge() collapse the edge of h? Besides the link condition there is a case that it does not
-// handle: it takes the tip of an ear for removed together with the ear.
+// Have the two faces of an edge the same corners?
+template <typename TriangleMesh>
+bool is_between_coincident_faces(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                                 const TriangleMesh& tm)
+{
+  return target(next(h, tm), tm) == target(next(opposite(h, tm), tm), tm)
+      && !is_border(h, tm) && !is_border(opposite(h, tm), tm);
+}
+
+// May Euler::collapse_edge() collapse the edge of h? Besides the link condition there are cases that it does not
+// handle: it takes the tip of an ear for removed together with the ear; and of faces with the same corners it would make
+// an edge from a vertex to itself, while the link condition sees no more than a common neighbor on each side.
 template <typename TriangleMesh>
 bool is_collapse_manifold(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
                           const TriangleMesh& tm)
@@ -36,7 +46,7 @@ bool is_collapse_manifold(const typename boost::graph_traits<TriangleMesh>::half
   for(const auto side : {h, opposite(h, tm)})
     if(is_border(side, tm) && is_tip_of_touching_ear(side, tm))
       return false;
-  return CGAL::Euler::does_satisfy_link_condition(edge(h, tm), tm);
+  return !is_between_coincident_faces(h, tm) && CGAL::Euler::does_satisfy_link_condition(edge(h, tm), tm);
 }
 
 } // namespace internal

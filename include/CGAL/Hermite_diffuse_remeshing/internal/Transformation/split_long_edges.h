@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/is_collapse_manifold.h>
 
 #include <algorithm>
 #include <vector>
@@ -55,8 +56,9 @@ bool is_split_topologically_legal(const Working_mesh<UserMesh>& mesh,
   const auto& tm = mesh.tmesh();
   if(mesh.is_protected(h) || mesh.is_full())
     return false;
+  // the two halves of the faces would meet along two edges between the same vertices
   if(!mesh.has_copies(source(h, tm)) && !mesh.has_copies(target(h, tm)))
-    return true;
+    return !is_between_coincident_faces(h, tm);
   // two sheets must not be joined by a second junction
   std::vector<int> opposite_vertices;
   for(const auto side : sides_of_split(mesh, h))
