@@ -369,22 +369,16 @@ private:
 
   void measure_peaks()
   {
-    measure_points(numbers_of_new_faces([&](const int f)
+    const std::vector<int> high_faces = numbers_of_new_faces([&](const int f)
     {
       if(m_gaps[f].bound() <= m_second_look)
         return false;
       const double height = std::abs(m_gaps[f](m_gaps[f].peak()));
       return height > m_second_look && raised * height > m_deviations.faces[f].deviation;
-    }), [&](const int f) { return m_gaps[f].peak(); });
-  }
-
-  // `place(face)`: barycentric coordinates in the face
-  template <typename PlaceInFace>
-  void measure_points(const std::vector<int>& in_faces, const PlaceInFace& place)
-  {
-    measure_at(in_faces, [&](const int f) { return nearest_at(f, place(f)); },
+    });
+    measure_at(high_faces, [&](const int f) { return nearest_at(f, m_gaps[f].peak()); },
                [&](const int f, const Reference::Nearest& nearest)
-               { m_deviations.add(point_of_face(f, place(f)), nearest.distance, nearest.location, {f}); });
+               { m_deviations.add(point_of_face(f, m_gaps[f].peak()), nearest.distance, nearest.location, {f}); });
   }
 
   Reference::Nearest nearest_at(const int f, const Barycentric& l) const
