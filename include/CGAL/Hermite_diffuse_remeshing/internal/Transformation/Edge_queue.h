@@ -47,7 +47,6 @@ inline int urgency_level(const double relative_length)
                               : (std::numeric_limits<int>::min)() / 2;
 }
 
-// The edges that `is_candidate` takes, sorted: the longest first for direction 1, the shortest for -1.
 template <typename Mesh>
 void sort_queue(std::vector<Queued_edge<Mesh> >& queue)
 {
@@ -57,9 +56,13 @@ void sort_queue(std::vector<Queued_edge<Mesh> >& queue)
                           { return a.key == b.key; }), queue.end());
 }
 
+// By number, edges that follow each other are near each other, in space and in memory.
+enum Edge_order { SHORTEST_FIRST = -1, BY_NUMBER = 0, LONGEST_FIRST = 1 };
+
+// the edges that `is_candidate` takes, sorted
 template <typename UserMesh, typename IsCandidate>
 std::vector<Queued_edge<Working_mesh<UserMesh> > >
-collect_edges(const Working_mesh<UserMesh>& mesh, const int direction, const IsCandidate& is_candidate)
+collect_edges(const Working_mesh<UserMesh>& mesh, const Edge_order order, const IsCandidate& is_candidate)
 {
   typedef Working_mesh<UserMesh> Mesh;
   std::vector<Queued_edge<Mesh> > queue;
@@ -70,7 +73,7 @@ collect_edges(const Working_mesh<UserMesh>& mesh, const int direction, const IsC
       return std::vector<Queued_edge<Mesh> >();
     const typename Mesh::halfedge_descriptor h = halfedge(e, mesh.tmesh());
     if(is_candidate(h) && mesh.is_inside(e))
-      queue.push_back({h, direction * urgency_level(mesh.relative_length(h)), mesh.edge_key(h)});
+      queue.push_back({h, order * urgency_level(mesh.relative_length(h)), mesh.edge_key(h)});
   }
   sort_queue(queue);
   return queue;

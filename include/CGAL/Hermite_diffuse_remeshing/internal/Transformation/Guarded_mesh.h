@@ -198,8 +198,10 @@ protected:
   }
 
 private:
+  // each face once, though all of its corners may have moved
   void note_moved()
   {
+    ++m_number_of_searches;
     for(const int number : m_moved)
     {
       m_surroundings[number].is_moved = false;
@@ -207,7 +209,7 @@ private:
         visit_copies(this->vertex(number), [&](const vertex_descriptor copy)
         {
           for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
-            if(!CGAL::is_border(h, tmesh()))
+            if(!CGAL::is_border(h, tmesh()) && is_met_first(face(h, tmesh())))
               note(face(h, tmesh()));
         });
     }
@@ -328,15 +330,22 @@ private:
       meet(h, point(v), (std::numeric_limits<double>::infinity)());
   }
 
+  bool is_met_first(const face_descriptor f)
+  {
+    if(get(m_search, f) == m_number_of_searches)
+      return false;
+    put(m_search, f, m_number_of_searches);
+    return true;
+  }
+
   // a face that hangs together with others; it waits for its turn if it is closer than `limit`
   void meet(const halfedge_descriptor h, const Vector& center, const double limit)
   {
     if(CGAL::is_border(h, tmesh()))
       return;
     const face_descriptor f = face(h, tmesh());
-    if(get(m_search, f) == m_number_of_searches)
+    if(!is_met_first(f))
       return;
-    put(m_search, f, m_number_of_searches);
     const Numbered_triangle t = triangle(f);
     const double distance = Bounding_box(t.points).distance(center);
     if(!(distance < limit))

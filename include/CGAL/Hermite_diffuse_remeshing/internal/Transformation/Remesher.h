@@ -118,7 +118,8 @@ private:
       Base::begin_part(level > 1 ? part_of_level : 1.);
       m_number_of_iterations = 0;
       set_level(m_mesh, --level);
-      split_long_edges_once(m_mesh, Length_band::longest_before_refinement(), 0);
+      // nearly all are split; new vertices have to be near in memory if they are in space
+      split_long_edges_once(m_mesh, Length_band::longest_before_refinement(), 0, BY_NUMBER);
       // of the four parts of a triangle three meet at a middle that the last split has not joined
       since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_valence(m_mesh, since); });
       const int first_pass = has_regular_sizes(m_mesh) ? Length_band::first_wide_pass : Length_band::first_tight_pass;

@@ -139,17 +139,19 @@ struct Collapse
 
 // The first legal choice from `first_choice` on for the edge of h, at the best place that is legal, if possible of the
 // source of h.
-template <typename UserMesh, typename IsWorthAcceptable>
+template <typename UserMesh>
 Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
                                  const typename Working_mesh<UserMesh>::halfedge_descriptor h, const int first_choice,
-                                 const double longest_length, const IsWorthAcceptable& is_acceptable)
+                                 const double longest_length)
 {
   typedef Collapse<UserMesh> Result;
   Result result;
   if(first_choice >= Result::number_of_choices)
     return result;
-  Worth before = worth_around(mesh, source(h, mesh.tmesh()));
-  before.add(worth_around(mesh, target(h, mesh.tmesh())));
+  const auto score_before = [&]
+  {
+    return (std::min)(worth_around(mesh, source(h, mesh.tmesh())).score, worth_around(mesh, target(h, mesh.tmesh())).score);
+  };
   for(int direction = 2 * first_choice / Result::number_of_choices; direction < 2; ++direction)
   {
     result.halfedge = direction == 0 ? h : opposite(h, mesh.tmesh());
@@ -160,7 +162,7 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
     for(const Site& site : collapse_sites(mesh, result.halfedge))
     {
       if(choice >= first_choice && are_edges_acceptable_after_collapse(mesh, result.halfedge, site, longest_length)
-         && is_acceptable(star.worth(site), before))
+         && is_score_acceptable(star.worth(site).score, score_before, score_floor))
       {
         result.choice = choice;
         result.site = site;
@@ -173,10 +175,9 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
 }
 
 // Collapses edges, shortest first: those that are candidates, `is_candidate(h)`, both before the pass and
-// when their turn comes, where the worst score may change as `is_acceptable(after, before)` says.
-template <typename UserMesh, typename IsCandidate, typename IsWorthAcceptable>
-std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_candidate,
-                           const double longest_length, const IsWorthAcceptable& is_acceptable)
+// when their turn comes.
+template <typename UserMesh, typename IsCandidate>
+std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_candidate, const double longest_length)
 {
   typedef Working_mesh<UserMesh> Mesh;
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
@@ -186,7 +187,7 @@ std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_c
   // ends as descriptors and numbers: a collapse of a neighbour may have removed the edge
   struct Candidate { vertex_descriptor source, target; std::pair<int, int> key; };
   std::vector<Candidate> queue;
-  for(const auto& e : collect_edges(mesh, -1, is_candidate))
+  for(const auto& e : collect_edges(mesh, SHORTEST_FIRST, is_candidate))
     queue.push_back({source(e.halfedge, mesh.tmesh()), target(e.halfedge, mesh.tmesh()), e.key});
 
   std::vector<char> is_removed(mesh.number_of_vertex_slots(), false);
@@ -207,7 +208,7 @@ std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_c
   {
     const halfedge_descriptor h = find_edge(candidate);
     return h == Mesh::Graph_traits::null_halfedge() ? Collapse<UserMesh>()
-         : find_collapse(mesh, h, first_choice, longest_length, is_acceptable);
+         : find_collapse(mesh, h, first_choice, longest_length);
   };
   propose_and_accept(mesh, queue.begin(), queue.end(), [&](const Candidate& candidate) { return propose_from(candidate, 0); },
                      [&](const Candidate& candidate, Collapse<UserMesh> collapse, const std::size_t since)
@@ -239,8 +240,7 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
   return collapse_edges(mesh,
     [&](const halfedge_descriptor h)
     { return mesh.has_changed(h, since) && mesh.relative_length(h) < bound && !mesh.is_protected(h); },
-    longest_length,
-    [](const Worth& after, const Worth& before) { return is_score_acceptable(after.score, before.score, score_floor); });
+    longest_length);
 }
 
 } // namespace internal

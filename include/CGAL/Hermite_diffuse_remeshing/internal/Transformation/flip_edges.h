@@ -215,7 +215,7 @@ bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_me
   const Worth after = worth_after_flip(mesh, h);
   // triangles worse than this would hinder the relocation
   constexpr double least_score_of_flip = 0.4;
-  return (gain > 0 ? is_score_acceptable(after.score, before.score, least_score_of_flip) : is_better(after, before))
+  return (gain > 0 ? is_score_acceptable(after.score, [&] { return before.score; }, least_score_of_flip) : is_better(after, before))
       && is_flip_topologically_legal(mesh, h);
 }
 
@@ -251,7 +251,7 @@ std::size_t flip_edges_by_valence(Working_mesh<UserMesh>& mesh, const std::size_
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   Face_excesses<UserMesh> excesses(mesh);
   // the cheaper and the more selective questions come first
-  const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h)
+  const auto queue = collect_edges(mesh, LONGEST_FIRST, [&](const halfedge_descriptor h)
                                    { return mesh.has_changed(h, since) && is_flippable(mesh, h)
                                             && excesses.first_gain_of_flip(h) >= 0; });
   return flip_in_order(mesh, queue, [&](const halfedge_descriptor h)

@@ -22,9 +22,13 @@ constexpr double score_floor = 0.3;
 // Where triangles were worse already, anything above this may stay as it is.
 constexpr double least_score = 0.02;
 
-inline bool is_score_acceptable(const double after, const double before, const double floor)
+// `before()` gives the score until now, which is asked for only where it decides.
+template <typename Score>
+bool is_score_acceptable(const double after, const Score& before, const double floor)
 {
-  return after > least_score ? after >= (std::min)(floor, before) - score_rounding : after > before + score_margin;
+  if(after > least_score && after >= floor - score_rounding)
+    return true;
+  return after > least_score ? after >= before() - score_rounding : after > before() + score_margin;
 }
 
 template <typename UserMesh>

@@ -81,26 +81,32 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
   constexpr double least_score_of_half = 1e-4;
   const auto& tm = mesh.tmesh();
   const Reference& reference = mesh.reference();
-  Worth before, after;
-  for(const auto side : sides_of_split(mesh, h))
+  Worth after;
+  const auto sides = sides_of_split(mesh, h);
+  for(const auto side : sides)
   {
-    before.add(face_worth(mesh, side));
     const Site& opposite_site = mesh.site(target(next(side, tm), tm));
     after.add(worth(reference, mesh.site(source(side, tm)), site, opposite_site, mesh.hint(side)));
     after.add(worth(reference, site, mesh.site(target(side, tm)), opposite_site, mesh.hint(side)));
   }
-  return after.score > least_score_of_half ? after.score >= (std::min)(score_floor, share_of_half * before.score)
+  if(after.score >= score_floor)
+    return true;
+  Worth before;
+  for(const auto side : sides)
+    before.add(face_worth(mesh, side));
+  return after.score > least_score_of_half ? after.score >= share_of_half * before.score
                                            : after.score > before.score + score_margin;
 }
 
-// Splits the edges that are longer than `bound` times their size, or too far from their feature curve, each once, the
-// longest first. Only edges with changes around them are looked at.
+// Splits the edges that are longer than `bound` times their size, or too far from their feature curve, each once. Only
+// edges with changes around them are looked at.
 template <typename UserMesh>
-std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
+std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
+                                  const Edge_order order = LONGEST_FIRST)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   const std::size_t before = mesh.counts().splits;
-  const auto queue = collect_edges(mesh, 1, [&](const halfedge_descriptor h)
+  const auto queue = collect_edges(mesh, order, [&](const halfedge_descriptor h)
                                    { return mesh.has_changed(h, since) && !mesh.is_protected(h)
                                             && (mesh.relative_length(h) > bound || !is_faithful(mesh, h)); });
   // splits move no vertex, and the faces that they make have the hints of their origin: middles stay
