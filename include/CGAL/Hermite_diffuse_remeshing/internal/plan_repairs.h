@@ -11,7 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/classify_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/is_collapse_manifold.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/edge_topology.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

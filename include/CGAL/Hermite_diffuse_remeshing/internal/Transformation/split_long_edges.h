@@ -14,7 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/is_collapse_manifold.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/edge_topology.h>
 
 #include <algorithm>
 #include <vector>

@@ -6,8 +6,8 @@
 //
 // Author(s)     : the Hermite Diffuse Remeshing authors
 
-#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_IS_COLLAPSE_MANIFOLD_H
-#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_IS_COLLAPSE_MANIFOLD_H
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_EDGE_TOPOLOGY_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_EDGE_TOPOLOGY_H
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -53,4 +53,4 @@ bool is_collapse_manifold(const typename boost::graph_traits<TriangleMesh>::half
 } // namespace Hermite_diffuse_remeshing
 } // namespace CGAL
 
-#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_IS_COLLAPSE_MANIFOLD_H
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_EDGE_TOPOLOGY_H
