@@ -59,22 +59,57 @@ void sort_queue(std::vector<Queued_edge<Mesh> >& queue)
 // By number, edges that follow each other are near each other, in space and in memory.
 enum Edge_order { SHORTEST_FIRST = -1, BY_NUMBER = 0, LONGEST_FIRST = 1 };
 
-// the edges that `is_candidate` takes, sorted
+// The halfedge from the smaller number to the larger, which is the same for every mesh type.
+template <typename UserMesh>
+typename Working_mesh<UserMesh>::halfedge_descriptor
+directed_by_number(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  const auto& tm = mesh.tmesh();
+  return mesh.index(source(h, tm)) < mesh.index(target(h, tm)) ? h : opposite(h, tm);
+}
+
+// Visits the edges with changes around them, each once: by way of the vertices, unless all of them have changed.
+// `visit(halfedge)`
+template <typename UserMesh, typename Visit>
+void visit_changed_edges(const Working_mesh<UserMesh>& mesh, const std::size_t since, const Visit& visit)
+{
+  const auto& tm = mesh.tmesh();
+  if(since == 0)
+  {
+    std::size_t step = 0;
+    for(auto [e, end] = edges(tm); e != end && !mesh.is_stopped_at(step++); ++e)
+      if(mesh.has_changed(halfedge(*e, tm), since))     // has faces
+        visit(directed_by_number(mesh, halfedge(*e, tm)));
+    return;
+  }
+  for(int i = 0; i < static_cast<int>(mesh.number_of_vertex_slots()) && !mesh.is_stopped_at(i); ++i)
+    if(mesh.has_changed(i, since) && mesh.vertex(i) != Working_mesh<UserMesh>::Graph_traits::null_vertex())
+      mesh.visit_copies(mesh.vertex(i), [&](const auto v)
+      {
+        for(const auto h : CGAL::halfedges_around_target(v, tm))
+        {
+          const int j = mesh.index(source(h, tm));
+          if(j > i || !mesh.has_changed(j, since))
+            visit(directed_by_number(mesh, h));
+        }
+      });
+}
+
+// The edges with changes around them that `is_candidate` takes, sorted.
 template <typename UserMesh, typename IsCandidate>
 std::vector<Queued_edge<Working_mesh<UserMesh> > >
-collect_edges(const Working_mesh<UserMesh>& mesh, const Edge_order order, const IsCandidate& is_candidate)
+collect_edges(const Working_mesh<UserMesh>& mesh, const std::size_t since, const Edge_order order,
+              const IsCandidate& is_candidate)
 {
   typedef Working_mesh<UserMesh> Mesh;
   std::vector<Queued_edge<Mesh> > queue;
-  std::size_t step = 0;
-  for(const typename Mesh::edge_descriptor e : edges(mesh.tmesh()))
+  visit_changed_edges(mesh, since, [&](const typename Mesh::halfedge_descriptor h)
   {
-    if(mesh.is_stopped_at(step++))
-      return std::vector<Queued_edge<Mesh> >();
-    const typename Mesh::halfedge_descriptor h = halfedge(e, mesh.tmesh());
-    if(is_candidate(h) && mesh.is_inside(e))
+    if(is_candidate(h) && mesh.is_inside(edge(h, mesh.tmesh())))
       queue.push_back({h, order * urgency_level(mesh.relative_length(h)), mesh.edge_key(h)});
-  }
+  });
+  if(mesh.is_stopped())
+    queue.clear();
   sort_queue(queue);
   return queue;
 }

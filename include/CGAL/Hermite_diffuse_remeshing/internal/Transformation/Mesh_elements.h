@@ -257,11 +257,9 @@ public:
   // Changes are numbered. An operator that remembers how many there were when it began its last pass
   // needs to look only at what has changed since.
   std::size_t number_of_changes() const { return m_number_of_changes; }
-  bool has_changed(const vertex_descriptor v, const std::size_t since) const
-  {
-    const int i = index(v);
-    return i != -1 && m_last_change[i] > since;         // -1: of no face
-  }
+  // the vertex with the number, which may be gone; -1: of no face
+  bool has_changed(const int i, const std::size_t since) const { return i != -1 && m_last_change[i] > since; }
+  bool has_changed(const vertex_descriptor v, const std::size_t since) const { return has_changed(index(v), since); }
   bool has_changed(const halfedge_descriptor h, const std::size_t since) const
   {
     return has_changed(source(h, tmesh()), since) || has_changed(target(h, tmesh()), since);

@@ -174,20 +174,25 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
   return result;
 }
 
-// Collapses edges, shortest first: those that are candidates, `is_candidate(h)`, both before the pass and
-// when their turn comes.
-template <typename UserMesh, typename IsCandidate>
-std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_candidate, const double longest_length)
+// Collapses the edges that are shorter than `bound` times their size where no edge becomes longer than
+// `longest_length` times its size, what a collapse makes is not split again: the shortest first. Only edges with changes
+// around them are looked at.
+template <typename UserMesh>
+std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
+                                 const std::size_t since)
 {
   typedef Working_mesh<UserMesh> Mesh;
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
   typedef typename Mesh::vertex_descriptor vertex_descriptor;
   const std::size_t before = mesh.counts().collapses;
+  // both before the pass and when its turn comes
+  const auto is_candidate = [&](const halfedge_descriptor h)
+  { return mesh.relative_length(h) < bound && !mesh.is_protected(h); };
 
   // ends as descriptors and numbers: a collapse of a neighbour may have removed the edge
   struct Candidate { vertex_descriptor source, target; std::pair<int, int> key; };
   std::vector<Candidate> queue;
-  for(const auto& e : collect_edges(mesh, SHORTEST_FIRST, is_candidate))
+  for(const auto& e : collect_edges(mesh, since, SHORTEST_FIRST, is_candidate))
     queue.push_back({source(e.halfedge, mesh.tmesh()), target(e.halfedge, mesh.tmesh()), e.key});
 
   std::vector<char> is_removed(mesh.number_of_vertex_slots(), false);
@@ -211,12 +216,12 @@ std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_c
          : find_collapse(mesh, h, first_choice, longest_length);
   };
   propose_and_accept(mesh, queue.begin(), queue.end(), [&](const Candidate& candidate) { return propose_from(candidate, 0); },
-                     [&](const Candidate& candidate, Collapse<UserMesh> collapse, const std::size_t since)
+                     [&](const Candidate& candidate, Collapse<UserMesh> collapse, const std::size_t since_proposal)
   {
     if(is_removed[candidate.key.first] || is_removed[candidate.key.second])
       return;
     // what is proposed depends on the faces around the ends
-    if(mesh.has_changed(candidate.source, since) || mesh.has_changed(candidate.target, since))
+    if(mesh.has_changed(candidate.source, since_proposal) || mesh.has_changed(candidate.target, since_proposal))
       collapse = propose_from(candidate, 0);
     for(; collapse.is_legal(); collapse = propose_from(candidate, collapse.choice + 1))
       if(is_collapse_free(mesh, collapse.halfedge, collapse.site))
@@ -227,20 +232,6 @@ std::size_t collapse_edges(Working_mesh<UserMesh>& mesh, const IsCandidate& is_c
       }
   });
   return mesh.counts().collapses - before;
-}
-
-// Collapses the edges that are shorter than `bound` times their size where no edge becomes longer than
-// `longest_length` times its size: what a collapse makes is not split again. Only edges with changes around
-// them are looked at.
-template <typename UserMesh>
-std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
-                                 const std::size_t since)
-{
-  typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
-  return collapse_edges(mesh,
-    [&](const halfedge_descriptor h)
-    { return mesh.has_changed(h, since) && mesh.relative_length(h) < bound && !mesh.is_protected(h); },
-    longest_length);
 }
 
 } // namespace internal

@@ -235,8 +235,7 @@ std::size_t flip_edges_by_score(Working_mesh<UserMesh>& mesh, const std::size_t 
       continue;
     for(const auto h : CGAL::halfedges_around_face(halfedge(f, mesh.tmesh()), mesh.tmesh()))
       if(mesh.has_changed(h, since) && is_flippable(mesh, h))
-        queue.push_back({halfedge(edge(h, mesh.tmesh()), mesh.tmesh()), urgency_level(mesh.relative_length(h)),
-                         mesh.edge_key(h)});
+        queue.push_back({directed_by_number(mesh, h), urgency_level(mesh.relative_length(h)), mesh.edge_key(h)});
   }
   sort_queue(queue);
   return flip_in_order(mesh, queue,
@@ -251,9 +250,8 @@ std::size_t flip_edges_by_valence(Working_mesh<UserMesh>& mesh, const std::size_
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   Face_excesses<UserMesh> excesses(mesh);
   // the cheaper and the more selective questions come first
-  const auto queue = collect_edges(mesh, LONGEST_FIRST, [&](const halfedge_descriptor h)
-                                   { return mesh.has_changed(h, since) && is_flippable(mesh, h)
-                                            && excesses.first_gain_of_flip(h) >= 0; });
+  const auto queue = collect_edges(mesh, since, LONGEST_FIRST, [&](const halfedge_descriptor h)
+                                   { return is_flippable(mesh, h) && excesses.first_gain_of_flip(h) >= 0; });
   return flip_in_order(mesh, queue, [&](const halfedge_descriptor h)
   {
     const int gain = excesses.gain_of_flip(h);

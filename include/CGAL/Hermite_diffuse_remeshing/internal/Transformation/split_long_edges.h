@@ -106,8 +106,8 @@ std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bou
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   const std::size_t before = mesh.counts().splits;
-  const auto queue = collect_edges(mesh, order, [&](const halfedge_descriptor h)
-                                   { return mesh.has_changed(h, since) && !mesh.is_protected(h)
+  const auto queue = collect_edges(mesh, since, order, [&](const halfedge_descriptor h)
+                                   { return !mesh.is_protected(h)
                                             && (mesh.relative_length(h) > bound || !is_faithful(mesh, h)); });
   // splits move no vertex, and the faces that they make have the hints of their origin: middles stay
   propose_and_accept(mesh, queue.begin(), queue.end(), [&](const auto& candidate)
