@@ -546,6 +546,23 @@ void test_crossing_of_ridge()
   assert(crossing.face == 1 && (square.point(crossing) - Vector(7. / 12., 5. / 12., 0.)).norm() < 1e-12);
   assert(crossing_of_ridge(model->surface, first, p, first, q).face == -1);
   assert(crossing_of_ridge(model->surface, first, p, second, p).face == -1);
+  assert(crossings_of_ridges(model->surface, first, p, second, q).size() == 1);
+}
+
+// from the first of three faces to the last
+void test_crossings_of_two_ridges()
+{
+  Indexed_triangles strip;
+  strip.points = {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(0., 1., 0.), Vector(1., 1., 0.), Vector(0., 2., 0.)};
+  strip.triangles = {{{0, 1, 2}}, {{1, 3, 2}}, {{2, 3, 4}}};
+  const auto model = make_model(strip);
+  const Location first{0, {{0.1, 0.3, 0.6}}}, last{2, {{0.4, 0.4, 0.2}}};
+  const Vector p(0.3, 0.6, 0.1), q(0.4, 1.2, -0.2);
+  const auto crossings = crossings_of_ridges(model->surface, first, p, last, q);
+  assert(crossings.size() == 2);
+  assert((strip.point(crossings[0]) - Vector(2.2 / 7., 4.8 / 7., 0.)).norm() < 1e-12);
+  assert((strip.point(crossings[1]) - Vector(1.1 / 3., 1., 0.)).norm() < 1e-12);
+  assert(crossings_of_ridges(model->surface, first, p, last, p).empty());
 }
 
 // A small face that is folded over, whose weight in the normal of its vertex would be the largest, does not turn it.
@@ -606,6 +623,7 @@ int main()
   test_sharp_edges();
   test_feature_displacements();
   test_crossing_of_ridge();
+  test_crossings_of_two_ridges();
   test_normal_beside_folded_face();
   test_projection();
   test_form_of_paper();

@@ -11,6 +11,8 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
 
+#include <boost/container/static_vector.hpp>
+
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
@@ -38,6 +40,31 @@ inline Location crossing_of_ridge(const Reference_surface& surface, const Locati
       return location_on_side({from.face, k}, u);
   }
   return Location();
+}
+
+// The same where the faces have no common side but one between them, as at the thin end of a needle: the places on both
+// sides of it. Farther apart the vertices of the faces tell enough.
+inline boost::container::static_vector<Location, 2>
+crossings_of_ridges(const Reference_surface& surface, const Location& from, const Vector& p, const Location& to,
+                    const Vector& q)
+{
+  boost::container::static_vector<Location, 2> result;
+  const Location crossing = crossing_of_ridge(surface, from, p, to, q);
+  if(crossing.face != -1)
+    result.push_back(crossing);
+  else
+    for(int k = 0; k < 3 && result.empty(); ++k)
+    {
+      Location between;
+      between.face = surface.cut_mesh().neighbor(from.face, k);
+      if(between.face == -1 || between.face == to.face)
+        continue;
+      const Location first = crossing_of_ridge(surface, from, p, between, q);
+      const Location second = crossing_of_ridge(surface, between, p, to, q);
+      if(first.face != -1 && second.face != -1)
+        result = {first, second};
+    }
+  return result;
 }
 
 } // namespace internal

@@ -9,8 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/crossing_of_ridge.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_gaps.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Ridge_point.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Target_meter.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -29,8 +30,8 @@ namespace internal {
 
 // Measures the deviation of the working mesh from the reference. From the mesh to the model: at vertices, edge middles
 // and face centroids, and where these tell that it is larger in between; at feature edges between the edge and its
-// curve. And back, to the closest facet of the mesh: from points of the model, and where edges cross its ridges. What
-// is between the points is allowed for by a margin. Throws Interrupted on request.
+// curve. And back, to the closest facet of the mesh: from points of the model, and of its ridges where edges cross them
+// and between these. What is between the points is allowed for by a margin. Throws Interrupted on request.
 template <typename UserMesh>
 class Deviation_meter
 {
@@ -48,6 +49,7 @@ class Deviation_meter
   Deviations<UserMesh> m_deviations;
   std::vector<char> m_is_new;           // of the faces: has to be measured
   std::vector<Face_gaps> m_gaps;        // of those
+  std::map<int, std::vector<Location> > m_ridges;     // the points above edges, by the number of the new face
   double m_second_look = 0.;            // distances below it need none
 
   // relative to the local size; a deviation needs two digits
@@ -154,6 +156,7 @@ private:
     m_gaps.assign(m_deviations.faces.size(), Face_gaps());
     measure_centroids();
     measure_edges();
+    measure_ridges();
     measure_vertices();
     m_deviations.summarize();
     m_second_look = (std::min)(m_bound, m_deviations.largest / raised);
@@ -247,8 +250,7 @@ private:
   {
     Reference::Nearest nearest;
     double deviation;                   // on curves, of the whole arc
-    Vector ridge = Vector::Zero();      // of the model, that the edge crosses
-    Reference::Nearest at_ridge = {Location(), 0.};     // without a face if there is none
+    boost::container::static_vector<Ridge_point, 2> ridges;
   };
 
   void measure_edges()
@@ -269,17 +271,35 @@ private:
       const Reference::Nearest& nearest = measured.nearest;
       m_deviations.add(middle(h), measured.deviation, nearest.location, {index_at(h), index_at(opposite(h, tm))},
                        is_on_curve && m_mesh.is_protected(h));
-      if(measured.at_ridge.location.face != -1)
-        m_deviations.add(measured.ridge, measured.at_ridge.distance, measured.at_ridge.location,
-                         {index_at(h), index_at(opposite(h, tm))});
+      for(const Ridge_point& ridge : measured.ridges)
+        m_deviations.add(ridge.point, ridge.distance, ridge.location, {index_at(h), index_at(opposite(h, tm))});
       for(const halfedge_descriptor side : {h, opposite(h, tm)})
       {
         const int i = index_at(side);
         add_to_mean(nearest.distance, i);
         if(is_new(i))
           set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
+        for(const Ridge_point& ridge : measured.ridges)
+          if(is_new(i))
+            m_ridges[i].push_back(ridge.location);
       }
     });
+  }
+
+  void measure_ridges()
+  {
+    struct Place { int face; Location first, second; };
+    std::vector<Place> places;
+    for(const auto& entry : m_ridges)
+      for(auto it = entry.second.begin(); it != entry.second.end(); ++it)
+        for(auto other = entry.second.begin(); other != it; ++other)
+          if(edge_of_reference(m_mesh.reference(), *it) == edge_of_reference(m_mesh.reference(), *other))
+            places.push_back({entry.first, *other, *it});
+    m_ridges.clear();
+    measure_at(places, [&](const Place& place)
+               { return ridge_point_between(m_mesh, place.first, place.second, m_deviations.faces[place.face].face); },
+               [&](const Place& place, const Ridge_point& ridge)
+               { m_deviations.add(ridge.point, ridge.distance, ridge.location, {place.face}); });
   }
 
   Vector middle(const halfedge_descriptor h) const
@@ -296,7 +316,7 @@ private:
     {
       result.nearest = project(p, h);
       result.deviation = result.nearest.distance;
-      measure_ridge(h, result);
+      result.ridges = ridge_points_over_edge(m_mesh, h);
       return result;
     }
     const double u = m_mesh.parameter(source(h, m_mesh.tmesh()), curve), v = m_mesh.parameter(target(h, m_mesh.tmesh()), curve);
@@ -308,20 +328,6 @@ private:
     result.deviation = (std::max)(result.nearest.distance, m_mesh.reference().curves.curves[curve].spline
                                     .distance_to_chord((std::min)(u, v), (std::max)(u, v)));
     return result;
-  }
-
-  // A ridge is farther from the mesh than the mesh from the slopes at its sides.
-  void measure_ridge(const halfedge_descriptor h, Edge_measurement& result) const
-  {
-    const TriangleMesh& tm = m_mesh.tmesh();
-    const Site& from = m_mesh.site(source(h, tm));
-    const Site& to = m_mesh.site(target(h, tm));
-    const Location crossing =
-      crossing_of_ridge(m_mesh.reference().surface, from.location, from.point, to.location, to.point);
-    if(crossing.face == -1)
-      return;
-    result.ridge = m_mesh.reference().surface_point(crossing);
-    result.at_ridge = {crossing, std::sqrt(walk_to_closest(m_mesh, face(h, tm), result.ridge).distance2)};
   }
 
   // At an edge on a curve, which the model may leave in the plane of the face, only what is across the plane counts.

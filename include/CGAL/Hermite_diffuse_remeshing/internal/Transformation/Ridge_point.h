@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RIDGE_POINT_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RIDGE_POINT_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/crossing_of_ridge.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/closest_face.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// A point of a ridge of the model. A ridge is farther from the mesh than the mesh from the slopes at its sides.
+struct Ridge_point
+{
+  Location location;
+  Vector point = Vector::Zero();
+  double distance = 0.;                 // to the mesh
+};
+
+// `f`: a face of the mesh near it
+template <typename UserMesh>
+Ridge_point measure_ridge_point(const Working_mesh<UserMesh>& mesh, const Location& location,
+                                const typename Working_mesh<UserMesh>::face_descriptor f)
+{
+  Ridge_point result;
+  result.location = location;
+  result.point = mesh.reference().surface_point(location);
+  result.distance = std::sqrt(walk_to_closest(mesh, f, result.point).distance2);
+  return result;
+}
+
+// those above the edge of h
+template <typename UserMesh>
+boost::container::static_vector<Ridge_point, 2>
+ridge_points_over_edge(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+{
+  const Site& from = mesh.site(source(h, mesh.tmesh()));
+  const Site& to = mesh.site(target(h, mesh.tmesh()));
+  boost::container::static_vector<Ridge_point, 2> result;
+  for(const Location& crossing :
+      crossings_of_ridges(mesh.reference().surface, from.location, from.point, to.location, to.point))
+    result.push_back(measure_ridge_point(mesh, crossing, face(h, mesh.tmesh())));
+  return result;
+}
+
+// the edge of the reference that a place on a side of a face is on
+inline int edge_of_reference(const Reference& reference, const Location& location)
+{
+  int side = 0;
+  while(side < 2 && location.coordinates[previous(side)] != 0.)
+    ++side;
+  return reference.edges.edge(location.face, side);
+}
+
+// Between two edges of a face a ridge bends away from it. Halfway between two places on an edge of the reference, which is
+// straight, is one on the same edge.
+template <typename UserMesh>
+Ridge_point ridge_point_between(const Working_mesh<UserMesh>& mesh, const Location& first, const Location& second,
+                                const typename Working_mesh<UserMesh>::face_descriptor f)
+{
+  const Reference& reference = mesh.reference();
+  const Indexed_triangles& triangles = reference.surface.triangles();
+  const Location middle = reference.locator.walk((triangles.point(first) + triangles.point(second)) / 2., first.face);
+  return measure_ridge_point(mesh, middle, f);
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_RIDGE_POINT_H
