@@ -199,8 +199,8 @@ struct Remeshing_report
   /// between feature edges and their curves, and back to the result: from the vertices of the input, from the middles of
   /// its feature edges, on their curves, and, if there is a bound, from points of the model over its faces, as
   /// many as it takes to know the model between them to a twentieth of the bound; and where edges of the result cross the
-  /// sides of faces of the input, along which the model may have ridges, and between. Distances are raised by 5 %, which allows for
-  /// what is between the points. The mean is that of the faces of the result, of what is measured at their vertices,
+  /// sides of faces of the input, along which the model may have ridges, and between. Distances are
+  /// raised by 5 %, which allows for what is between the points. The mean is that of the faces of the result, of what is measured at their vertices,
   /// middles and centroids, not raised.
   /// @{
 

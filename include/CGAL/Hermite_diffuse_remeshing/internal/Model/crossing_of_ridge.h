@@ -49,6 +49,8 @@ crossings_of_ridges(const Reference_surface& surface, const Location& from, cons
                     const Vector& q)
 {
   boost::container::static_vector<Location, 2> result;
+  if(from.face == to.face)
+    return result;
   const Location crossing = crossing_of_ridge(surface, from, p, to, q);
   if(crossing.face != -1)
     result.push_back(crossing);
@@ -59,9 +61,11 @@ crossings_of_ridges(const Reference_surface& surface, const Location& from, cons
       between.face = surface.cut_mesh().neighbor(from.face, k);
       if(between.face == -1 || between.face == to.face)
         continue;
-      const Location first = crossing_of_ridge(surface, from, p, between, q);
       const Location second = crossing_of_ridge(surface, between, p, to, q);
-      if(first.face != -1 && second.face != -1)
+      if(second.face == -1)
+        continue;
+      const Location first = crossing_of_ridge(surface, from, p, between, q);
+      if(first.face != -1)
         result = {first, second};
     }
   return result;

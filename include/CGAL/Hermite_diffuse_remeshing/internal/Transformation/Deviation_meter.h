@@ -277,11 +277,11 @@ private:
       {
         const int i = index_at(side);
         add_to_mean(nearest.distance, i);
-        if(is_new(i))
-          set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
+        if(!is_new(i))
+          continue;
+        set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
         for(const Ridge_point& ridge : measured.ridges)
-          if(is_new(i))
-            m_ridges[i].push_back(ridge.location);
+          m_ridges[i].push_back(ridge.location);
       }
     });
   }
