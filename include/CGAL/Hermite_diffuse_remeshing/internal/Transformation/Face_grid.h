@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -35,10 +36,21 @@ struct Bounding_box
     : low(p[0].cwiseMin(p[1]).cwiseMin(p[2])), high(p[0].cwiseMax(p[1]).cwiseMax(p[2]))
   {}
 
+  static Bounding_box nothing()
+  {
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    return Bounding_box(Vector::Constant(infinity), Vector::Constant(-infinity));
+  }
+
   void add(const Bounding_box& other)
   {
     low = low.cwiseMin(other.low);
     high = high.cwiseMax(other.high);
+  }
+
+  bool holds(const Bounding_box& other) const
+  {
+    return (low.array() <= other.low.array()).all() && (other.high.array() <= high.array()).all();
   }
 
   bool meets(const Bounding_box& other) const
@@ -56,7 +68,7 @@ struct Bounding_box
 // Finds the faces near a box while the mesh changes: an octree with loose cells. A face lies in the one cell
 // that holds its middle, of the level whose cells are just as large as the face or larger, so that the faces of
 // a cell reach at most half a cell beyond it. Every cell with faces has all its ancestors, and is found by going down
-// from the largest ones.
+// from the largest ones. Surfaces leave most of a large cell empty: cells remember how far the faces below them reach.
 template <typename Face>
 class Face_grid
 {
@@ -95,6 +107,7 @@ public:
     std::array<Cell*, 8> children{};
     int number_of_children = 0;
     std::vector<Boxed_face> faces;
+    Bounding_box content = Bounding_box::nothing();       // holds the faces of the cell and of its descendants
   };
 
 private:
@@ -132,11 +145,16 @@ public:
   {
     Cell* const cell = make_cell(key(box));
     cell->faces.push_back({f, box});
+    add_content(box, cell);
     return cell;
   }
 
   // the face has moved within its cell
-  static void set_box(const Face f, const Bounding_box& box, Cell& cell) { find(f, cell)->box = box; }
+  static void set_box(const Face f, const Bounding_box& box, Cell& cell)
+  {
+    find(f, cell)->box = box;
+    add_content(box, &cell);
+  }
 
   void erase(const Face f, Cell* const cell)
   {
@@ -157,6 +175,13 @@ private:
   static auto find(const Face f, Cell& cell)
   {
     return std::find_if(cell.faces.begin(), cell.faces.end(), [f](const Boxed_face& boxed) { return boxed.face == f; });
+  }
+
+  // what a cell holds its ancestors do, too
+  static void add_content(const Bounding_box& box, Cell* cell)
+  {
+    for(; cell != nullptr && !cell->content.holds(box); cell = cell->parent)
+      cell->content.add(box);
   }
 
   static int level_of(const double extent)
@@ -230,6 +255,8 @@ private:
   template <typename Visit>
   static bool visit_cell(const Cell& cell, const Bounding_box& box, const Visit& visit)
   {
+    if(!cell.content.meets(box))
+      return true;
     for(const Boxed_face& f : cell.faces)
       if(f.box.meets(box) && !visit(f.face, f.box))
         return false;

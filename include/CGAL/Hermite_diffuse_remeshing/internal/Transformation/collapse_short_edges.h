@@ -72,16 +72,13 @@ bool is_collapse_topologically_legal(const Working_mesh<UserMesh>& mesh,
   return true;
 }
 
-// The edges that the collapse makes may not be longer than `longest_length` times their size, nor leave a feature
-// curve.
+// If both ends of h came to a point with a size, would no edge be longer than `longest_length` times its size?
 template <typename UserMesh>
-bool are_edges_acceptable_after_collapse(const Working_mesh<UserMesh>& mesh,
-                                         const typename Working_mesh<UserMesh>::halfedge_descriptor h,
-                                         const Site& site, const double longest_length)
+bool are_edges_short_after_collapse(const Working_mesh<UserMesh>& mesh,
+                                    const typename Working_mesh<UserMesh>::halfedge_descriptor h,
+                                    const Vector& point, const double size, const double longest_length)
 {
   const auto& tm = mesh.tmesh();
-  if(mesh.is_on_curve(h) && !is_curve_collapse_faithful(mesh, h, site))
-    return false;
   for(const auto sibling : mesh.siblings(h))
   {
     const auto s = source(sibling, tm), t = target(sibling, tm);
@@ -89,11 +86,25 @@ bool are_edges_acceptable_after_collapse(const Working_mesh<UserMesh>& mesh,
       for(const auto g : CGAL::halfedges_around_target(v, tm))
       {
         const auto w = source(g, tm);
-        if(w != s && w != t && (mesh.point(w) - site.point).norm() > longest_length * (mesh.size(w) + site.size) / 2.)
+        if(w == s || w == t)
+          continue;
+        const Site& site = mesh.site(w);
+        if((site.point - point).squaredNorm() > CGAL::square(longest_length * (site.size + size) / 2.))
           return false;
       }
   }
   return true;
+}
+
+// The edges that the collapse makes may not be longer than `longest_length` times their size, nor leave a feature
+// curve.
+template <typename UserMesh>
+bool are_edges_acceptable_after_collapse(const Working_mesh<UserMesh>& mesh,
+                                         const typename Working_mesh<UserMesh>::halfedge_descriptor h,
+                                         const Site& site, const double longest_length)
+{
+  return (!mesh.is_on_curve(h) || is_curve_collapse_faithful(mesh, h, site))
+      && are_edges_short_after_collapse(mesh, h, site.point, site.size, longest_length);
 }
 
 // the triangles that the collapse leaves around the vertex that stays
@@ -152,9 +163,19 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
   {
     return (std::min)(worth_around(mesh, source(h, mesh.tmesh())).score, worth_around(mesh, target(h, mesh.tmesh())).score);
   };
+  // Nearly all edges that may not collapse are refused for the lengths around, which need not wait for the model's
+  // middle: it is not so far from the chord's, nor its size from the mean.
+  constexpr double clearly_too_long = 1.1;
+  const Site& s = mesh.site(source(h, mesh.tmesh()));
+  const Site& t = mesh.site(target(h, mesh.tmesh()));
+  const bool may_middle_do = are_edges_short_after_collapse(mesh, h, (s.point + t.point) / 2., (s.size + t.size) / 2.,
+                                                            clearly_too_long * longest_length);
   for(int direction = 2 * first_choice / Result::number_of_choices; direction < 2; ++direction)
   {
     result.halfedge = direction == 0 ? h : opposite(h, mesh.tmesh());
+    const Site& end = mesh.site(target(result.halfedge, mesh.tmesh()));
+    if(!may_middle_do && !are_edges_short_after_collapse(mesh, h, end.point, end.size, longest_length))
+      continue;
     if(!is_collapse_topologically_legal(mesh, result.halfedge))
       continue;
     const Star star = star_after_collapse(mesh, result.halfedge, Star::MEAN);

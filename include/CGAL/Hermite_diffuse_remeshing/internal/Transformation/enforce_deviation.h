@@ -61,19 +61,32 @@ public:
     m_attempts.begin_round();
   }
 
-  // Tells of all faces that deviate too much what keeps them from being refined, DEVIATION_AFTER_STOP if nothing does.
-  // Returns the number of those.
-  std::size_t find_obstacles(std::vector<Entry>& entries)
+  // of faces that deviate too much
+  struct Numbers
   {
-    std::size_t number = 0;
+    std::size_t refinable = 0, hopeless = 0;
+
+    // The bound will not be met in any case. After the last hunt, which moves a few faces above it again, these are not
+    // worth another one: it goes through all that is hopeless once more.
+    bool is_nearly_all_hopeless() const
+    {
+      constexpr std::size_t many_times = 4;
+      return many_times * refinable <= hopeless;
+    }
+  };
+
+  // Tells of all faces that deviate too much what keeps them from being refined, DEVIATION_AFTER_STOP if nothing does.
+  Numbers find_obstacles(std::vector<Entry>& entries)
+  {
+    Numbers numbers;
     for(Entry& entry : entries)
       if(is_exceeded(entry))
       {
         m_mesh.give_up_if_stopped();
         entry.obstacle = obstacle(entry);
-        number += entry.obstacle == DEVIATION_AFTER_STOP;
+        ++(entry.obstacle == DEVIATION_AFTER_STOP ? numbers.refinable : numbers.hopeless);
       }
-    return number;
+    return numbers;
   }
 
   // Where nothing is in the way, asks for the length that would do: a deviation goes with the square of the
@@ -175,10 +188,11 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   for(bool is_finished = true; ; ++number_of_rounds)
   {
     refiner.begin_round(settlements == 0 ? first_limit : last_limit);
-    const std::size_t number = refiner.find_obstacles(meter.deviations().faces);
-    const bool is_last = number == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
+    const auto numbers = refiner.find_obstacles(meter.deviations().faces);
+    const bool is_last = numbers.refinable == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
                       || settlements >= maximum_number_of_settlements;
-    if(mesh.is_stopped() || (is_last && is_finished))
+    const bool is_enough = is_last || (settlements > 0 && numbers.is_nearly_all_hopeless());
+    if(mesh.is_stopped() || (is_enough && is_finished))
       break;
     const std::size_t since = mesh.number_of_changes();
     if(!is_last)
