@@ -306,6 +306,41 @@ void test_constraints()
   }
 }
 
+// Three corners make a needle among edges that are much longer: a better triangle takes a split of a long side, which is a
+// feature, and a flip of the other.
+void test_close_corners()
+{
+  std::cout << "close corners" << std::endl;
+  const double width = 0.006, length = 0.12;
+  analytic::Triangles triangles;
+  triangles.points = {{{0., 0., 0.}}, {{length, 0., 0.}}, {{length, width, 0.}}, {{0., 3. * width, 0.}}};
+  for(int k = 0; k < 8; ++k)
+    triangles.points.push_back({{std::cos(k * CGAL_PI / 4.), std::sin(k * CGAL_PI / 4.), 0.}});
+  triangles.faces = {{{0, 1, 2}}, {{0, 2, 3}}, {{1, 4, 2}}, {{2, 4, 5}}, {{2, 5, 6}}, {{2, 6, 3}}, {{3, 6, 7}},
+                     {{3, 7, 8}}, {{3, 8, 0}}, {{0, 8, 9}}, {{0, 9, 10}}, {{0, 10, 1}}, {{1, 10, 11}}, {{1, 11, 4}}};
+  Surface_mesh mesh = make_mesh<Surface_mesh>(triangles);
+  auto is_corner = mesh.add_property_map<Surface_mesh::Vertex_index, bool>("v:corner", false).first;
+  auto is_feature = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:feature", false).first;
+  std::vector<Point_3> corners;
+  for(int i = 0; i < 4; ++i)
+    corners.push_back(Point_3(triangles.points[i][0], triangles.points[i][1], 0.));
+  const auto find = [&](const Point_3& p)
+  { return std::find_if(vertices(mesh).begin(), vertices(mesh).end(), [&](const auto v) { return mesh.point(v) == p; }); };
+  for(const Point_3& p : corners)
+    is_corner[*find(p)] = true;
+  for(const int i : {0, 1})
+    is_feature[mesh.edge(mesh.halfedge(*find(corners[i]), *find(corners[i + 1])))] = true;
+  const Surface_mesh input = mesh;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::minimum_edge_length(0.3).maximum_edge_length(0.3)
+                                                          .edge_is_constrained_map(is_feature)
+                                                          .vertex_is_constrained_map(is_corner));
+  check_result(input, mesh);
+  for(const Point_3& p : corners)
+    assert(find(p) != vertices(mesh).end());
+  // of the needle: the square root of three times its width over its length
+  assert(report.smallest_quality > 1.4 * std::sqrt(3.) * width / length);
+}
+
 void test_maximum_deviation()
 {
   std::cout << "maximum deviation" << std::endl;
@@ -583,6 +618,7 @@ int main(int argc, char** argv)
   test_mesh_types();
   test_part_of_mesh();
   test_constraints();
+  test_close_corners();
   test_maximum_deviation();
   test_size_field();
   test_visitor();

@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/remove_vertices.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_and_flip.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
 #include <algorithm>
@@ -56,7 +57,8 @@ class Worst_face_hunt
     halfedge_descriptor halfedge = halfedge_descriptor();
     vertex_descriptor vertex = vertex_descriptor();
     Site site = Site();
-    std::variant<Vertex_removal<UserMesh>, Edge_removal<UserMesh>, Curve_vertex_removal<UserMesh> > removal = {};
+    std::variant<Vertex_removal<UserMesh>, Edge_removal<UserMesh>, Curve_vertex_removal<UserMesh>,
+                 Split_and_flip<UserMesh> > removal = {};
   };
 
   Mesh& m_mesh;
@@ -65,6 +67,7 @@ class Worst_face_hunt
 
   // shape comes before size here, but not without limit: lengths relative to the size
   static constexpr double longest_length = 2., shortest_length_to_split = 1.;
+  static constexpr double longest_length_at_needle = 4. * longest_length;
   // per face that is bad at first; one that can be helped is after a few tries
   static constexpr std::size_t maximum_number_of_tries = 20;
   // per face of the mesh: where nearly all are bad most tries are in vain
@@ -187,6 +190,10 @@ private:
       for(const halfedge_descriptor side : sides)
         if(degree(target(side, tm), tm) <= largest_degree)
           plan_flips_and_relocation(target(side, tm), plan);
+    if(plan.kind == NOTHING && is_needle(h))
+      for(const halfedge_descriptor side : sides)
+        for(const halfedge_descriptor other : {next(side, tm), prev(side, tm)})
+          plan_split_and_flip(side, other, plan);
     return plan;
   }
 
@@ -234,6 +241,8 @@ private:
     const vertex_descriptor s = source(h, m_mesh.tmesh()), t = target(h, m_mesh.tmesh());
     Worth before = worth_around(m_mesh, s);
     before.add(worth_around(m_mesh, t));
+    // the sides of a needle may be longer than that already
+    const double longest = plan.search == BEST_FREE_QUALITY ? longest_length_at_needle : longest_length;
     const Star star = star_after_collapse(m_mesh, h, Star::WORST);
     auto sites = collapse_sites(m_mesh, h);
     if(m_mesh.data(s).type == SURFACE_VERTEX && !m_mesh.is_fixed(t) && m_mesh.data(t).type == SURFACE_VERTEX)
@@ -241,7 +250,7 @@ private:
     for(const Site& site : sites)
     {
       const Worth after = star.worth(site);
-      if(improves(after, before, plan) && are_edges_acceptable_after_collapse(m_mesh, h, site, longest_length))
+      if(improves(after, before, plan) && are_edges_acceptable_after_collapse(m_mesh, h, site, longest))
         offer({plan.search, COLLAPSE, after, h, t, site}, plan);
     }
   }
@@ -259,17 +268,7 @@ private:
       star.add_side(m_mesh, next(side, tm));
       star.add_side(m_mesh, prev(side, tm));
     }
-    const Site middle = middle_site(m_mesh, h);
-    const int curve = m_mesh.curve(h);
-    Site site = middle;
-    if(curve == -1)
-      site = star.better_site(middle);
-    else
-    {
-      const std::pair<double, double> ends =
-        std::minmax({m_mesh.parameter(source(h, tm), curve), m_mesh.parameter(target(h, tm), curve)});
-      site = better_site_on_curve(m_mesh.reference(), middle, ends, star, [](double) { return true; });
-    }
+    const Site site = better_site_of_split(m_mesh, h, star);
     const Worth after = star.worth(site);
     if(improves(after, before, plan))
       offer({plan.search, SPLIT, after, h, target(h, tm), site}, plan);
@@ -295,6 +294,16 @@ private:
         plan_removal<Curve_vertex_removal<UserMesh> >(opposite(g, tm), before, plan);
     before.add(worth_around(m_mesh, source(h, tm)));
     plan_removal<Edge_removal<UserMesh> >(h, before, plan);
+  }
+
+  void plan_split_and_flip(const halfedge_descriptor h, const halfedge_descriptor flipped, Plan& plan) const
+  {
+    if(m_mesh.relative_length(h) < shortest_length_to_split_of_needle || !is_flippable(m_mesh, flipped))
+      return;
+    Worth before = worth_of_pair(m_mesh, flipped);
+    for(const halfedge_descriptor side : sides_of_split(m_mesh, h))
+      before.add(face_worth(m_mesh, side));
+    plan_removal<Split_and_flip<UserMesh> >(std::make_pair(h, flipped), before, plan);
   }
 
   // an edge at v or opposite to v is flipped, and v moves
