@@ -67,7 +67,6 @@ class Worst_face_hunt
 
   // shape comes before size here, but not without limit: lengths relative to the size
   static constexpr double longest_length = 2., shortest_length_to_split = 1.;
-  static constexpr double longest_length_at_needle = 4. * longest_length;
   // per face that is bad at first; one that can be helped is after a few tries
   static constexpr std::size_t maximum_number_of_tries = 20;
   // per face of the mesh: where nearly all are bad most tries are in vain
@@ -241,8 +240,6 @@ private:
     const vertex_descriptor s = source(h, m_mesh.tmesh()), t = target(h, m_mesh.tmesh());
     Worth before = worth_around(m_mesh, s);
     before.add(worth_around(m_mesh, t));
-    // the sides of a needle may be longer than that already
-    const double longest = plan.search == BEST_FREE_QUALITY ? longest_length_at_needle : longest_length;
     const Star star = star_after_collapse(m_mesh, h, Star::WORST);
     auto sites = collapse_sites(m_mesh, h);
     if(m_mesh.data(s).type == SURFACE_VERTEX && !m_mesh.is_fixed(t) && m_mesh.data(t).type == SURFACE_VERTEX)
@@ -250,7 +247,7 @@ private:
     for(const Site& site : sites)
     {
       const Worth after = star.worth(site);
-      if(improves(after, before, plan) && are_edges_acceptable_after_collapse(m_mesh, h, site, longest))
+      if(improves(after, before, plan) && are_edges_acceptable_after_collapse(m_mesh, h, site, longest_length))
         offer({plan.search, COLLAPSE, after, h, t, site}, plan);
     }
   }

@@ -55,7 +55,8 @@ public:
     const auto& tm = mesh.tmesh();
     std::tie(m_split, m_flipped) = sides;
     const halfedge_descriptor o = opposite(m_split, tm), across = opposite(m_flipped, tm);
-    if(mesh.siblings(m_split).size() != 1 || !is_split_topologically_legal(mesh, m_split) || !is_flippable(mesh, m_flipped)
+    if(mesh.siblings(m_split).size() != 1 || !is_split_topologically_legal(mesh, m_split)
+       || !is_flippable(mesh, m_flipped)
        || (!mesh.is_border_or_outside(o) && target(next(o, tm), tm) == target(next(across, tm), tm)))
       return Worth{-1., 0.};
     Star star(mesh.reference(), Star::WORST);
@@ -93,8 +94,9 @@ public:
       for(const auto v : {source(o, tm), target(o, tm)})
         made.push_back(with_new(replaced.back(), v));
     }
-    return mesh.is_free(CGAL::is_border(o, tm) ? Mesh::Graph_traits::null_vertex() : center_of_disc(mesh, source(m_split, tm)),
-                        made, replaced);
+    const auto center = CGAL::is_border(o, tm) ? Mesh::Graph_traits::null_vertex()
+                                               : center_of_disc(mesh, source(m_split, tm));
+    return mesh.is_free(center, made, replaced);
   }
 
   void execute(Mesh& mesh) const
