@@ -68,8 +68,7 @@ enum Deviation_obstacle
   DEVIATION_AT_SMALLEST_SIZE,  ///< the size there is `minimum_edge_length` already
   DEVIATION_AT_FOLD,           ///< smaller faces were tried, and did not help or could not be made: the model is folded
                                ///< or torn there, as over flat or intersecting faces of the input
-  DEVIATION_AFTER_STOP         ///< the face budget, the time, or the number of rounds of refinement was used up before,
-                               ///< or the last faces are few beside those that nothing helps
+  DEVIATION_AFTER_STOP         ///< the face budget, the time, or the number of rounds of refinement was used up before
 };
 
 /*!

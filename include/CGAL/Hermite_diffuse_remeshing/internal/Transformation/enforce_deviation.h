@@ -66,8 +66,8 @@ public:
   {
     std::size_t refinable = 0, hopeless = 0;
 
-    // The bound will not be met in any case. After the last hunt, which moves a few faces above it again, these are not
-    // worth another one: it goes through all that is hopeless once more.
+    // The bound will not be met in any case. A hunt goes through all that is hopeless, and moves a few faces above the
+    // bound again: what it raises once more is not worth it.
     bool is_nearly_all_hopeless() const
     {
       constexpr std::size_t many_times = 4;
@@ -185,15 +185,16 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   meter.measure();
   std::size_t since_finished = mesh.number_of_changes();
   std::size_t coarse_rounds = 0, settlements = 0;
+  bool has_hunted_enough = false;
   for(bool is_finished = true; ; ++number_of_rounds)
   {
     refiner.begin_round(settlements == 0 ? first_limit : last_limit);
     const auto numbers = refiner.find_obstacles(meter.deviations().faces);
     const bool is_last = numbers.refinable == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
                       || settlements >= maximum_number_of_settlements;
-    const bool is_enough = is_last || (settlements > 0 && numbers.is_nearly_all_hopeless());
-    if(mesh.is_stopped() || (is_enough && is_finished))
+    if(mesh.is_stopped() || (is_last && is_finished))
       break;
+    has_hunted_enough = has_hunted_enough || (is_finished && settlements > 0 && numbers.is_nearly_all_hopeless());
     const std::size_t since = mesh.number_of_changes();
     if(!is_last)
       refiner.refine(meter.deviations().faces, number_of_rounds < number_of_first_rounds ? first_aim : last_aim);
@@ -206,7 +207,7 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
     if(is_settling)
     {
       remesher.optimise(CONVERGED, since_finished);
-      if(is_last)
+      if(is_last && !has_hunted_enough)
         remesher.raise_worst(CONVERGED, satisfying_quality);
       since_finished = mesh.number_of_changes();
       coarse_rounds = 0;
