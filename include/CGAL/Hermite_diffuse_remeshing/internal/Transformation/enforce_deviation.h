@@ -61,32 +61,19 @@ public:
     m_attempts.begin_round();
   }
 
-  // of faces that deviate too much
-  struct Numbers
-  {
-    std::size_t refinable = 0, hopeless = 0;
-
-    // The bound will not be met in any case. A hunt goes through all that is hopeless, and moves a few faces above the
-    // bound again: what it raises once more is not worth it.
-    bool is_nearly_all_hopeless() const
-    {
-      constexpr std::size_t many_times = 4;
-      return many_times * refinable <= hopeless;
-    }
-  };
-
   // Tells of all faces that deviate too much what keeps them from being refined, DEVIATION_AFTER_STOP if nothing does.
-  Numbers find_obstacles(std::vector<Entry>& entries)
+  // Returns the number of those.
+  std::size_t find_obstacles(std::vector<Entry>& entries)
   {
-    Numbers numbers;
+    std::size_t number = 0;
     for(Entry& entry : entries)
       if(is_exceeded(entry))
       {
         m_mesh.give_up_if_stopped();
         entry.obstacle = obstacle(entry);
-        ++(entry.obstacle == DEVIATION_AFTER_STOP ? numbers.refinable : numbers.hopeless);
+        number += entry.obstacle == DEVIATION_AFTER_STOP;
       }
-    return numbers;
+    return number;
   }
 
   // Where nothing is in the way, asks for the length that would do: a deviation goes with the square of the
@@ -185,16 +172,14 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   meter.measure();
   std::size_t since_finished = mesh.number_of_changes();
   std::size_t coarse_rounds = 0, settlements = 0;
-  bool has_hunted_enough = false;
   for(bool is_finished = true; ; ++number_of_rounds)
   {
     refiner.begin_round(settlements == 0 ? first_limit : last_limit);
-    const auto numbers = refiner.find_obstacles(meter.deviations().faces);
-    const bool is_last = numbers.refinable == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
+    const std::size_t number = refiner.find_obstacles(meter.deviations().faces);
+    const bool is_last = number == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
                       || settlements >= maximum_number_of_settlements;
     if(mesh.is_stopped() || (is_last && is_finished))
       break;
-    has_hunted_enough = has_hunted_enough || (is_finished && settlements > 0 && numbers.is_nearly_all_hopeless());
     const std::size_t since = mesh.number_of_changes();
     if(!is_last)
       refiner.refine(meter.deviations().faces, number_of_rounds < number_of_first_rounds ? first_aim : last_aim);
@@ -207,7 +192,7 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
     if(is_settling)
     {
       remesher.optimise(CONVERGED, since_finished);
-      if(is_last && !has_hunted_enough)
+      if(is_last)
         remesher.raise_worst(CONVERGED, satisfying_quality);
       since_finished = mesh.number_of_changes();
       coarse_rounds = 0;
