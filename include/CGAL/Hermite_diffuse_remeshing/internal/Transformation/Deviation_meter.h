@@ -102,9 +102,9 @@ public:
       put(m_index, f, -1);
       if(!m_mesh.is_remeshed(f))
         continue;
-      const bool has_changed = m_mesh.has_changed(f, since);
-      const int i = has_changed ? -1 : get(old_index, f);
-      if(has_changed || (old_faces[i].deviation > raised * m_bound && has_changed_beside(f, since)))
+      const bool is_new = m_mesh.has_new_shape(f, since);
+      const int i = is_new ? -1 : get(old_index, f);
+      if(is_new || (old_faces[i].deviation > raised * m_bound && has_changed_beside(f, since)))
       {
         add_new_face(f);
         continue;

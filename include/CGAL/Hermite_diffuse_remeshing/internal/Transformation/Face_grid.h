@@ -66,8 +66,8 @@ struct Bounding_box
 };
 
 // Finds the faces near a box while the mesh changes: an octree with loose cells. A face lies in the one cell
-// that holds its middle, of the level whose cells are just as large as the face or larger, so that the faces of
-// a cell reach at most half a cell beyond it. Every cell with faces has all its ancestors, and is found by going down
+// that holds its middle, of a level whose cells are larger than the face, so that the faces of a cell reach at
+// most half a cell beyond it. Every cell with faces has all its ancestors, and is found by going down
 // from the largest ones. Surfaces leave most of a large cell empty: cells remember how far the faces below them reach.
 template <typename Face>
 class Face_grid
@@ -111,6 +111,10 @@ public:
   };
 
 private:
+  // One level above that whose cells are just as large as a face: a search near some faces meets a third of the cells,
+  // and not much more faces.
+  static constexpr int levels_above = 1;
+
   int m_top_level;
   std::unordered_map<Cell_key, Cell, Hash> m_cells;
   std::vector<Cell*> m_top_cells;       // few: they are as large as the mesh
@@ -122,7 +126,7 @@ public:
   Cell_key key(const Bounding_box& box) const
   {
     Cell_key result;
-    result.level = (std::min)(m_top_level, level_of((box.high - box.low).maxCoeff()));
+    result.level = (std::min)(m_top_level, levels_above + level_of((box.high - box.low).maxCoeff()));
     for(int i = 0; i < 3; ++i)
       result.place[i] = place((box.low[i] + box.high[i]) / 2., cell_size(result.level));
     return result;
@@ -131,8 +135,8 @@ public:
   // May a face with the box stay in a cell? It may reach half a cell beyond it.
   static bool holds(const Cell& cell, const Bounding_box& box)
   {
-    // a face that has become much smaller is found faster in a smaller cell
-    constexpr double least_share = 0.25;
+    // a face that has become four times smaller is found faster in a smaller cell
+    constexpr double least_share = 0.125;
     const double size = cell_size(cell.key.level);
     for(int i = 0; i < 3; ++i)
       if(box.low[i] < (double(cell.key.place[i]) - 0.5) * size || box.high[i] > (double(cell.key.place[i]) + 1.5) * size)

@@ -87,7 +87,7 @@ private:
   static constexpr double clearance = 1.25;
   // Angles to the axis in radians: of the faces that are found in a ball, and the cosine of the angle of those that
   // may be made there. What is between them is what normals change while chords of the surface are exchanged.
-  static constexpr double largest_angle_found = 1.15, least_cosine_made = 0.25;
+  static constexpr double largest_angle_found = 1.35, least_cosine_made = 0.1;
   // cones are not made narrower: most faces need no change of the cone then
   static constexpr double least_angle = 0.25;
 

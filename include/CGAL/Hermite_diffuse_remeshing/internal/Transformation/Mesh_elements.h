@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_ELEMENTS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_MESH_ELEMENTS_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Change_record.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Junctions.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/do_triangles_meet.h>
@@ -72,16 +73,13 @@ protected:
   Face_hint_map m_hint;                 // a face of the reference near the face; -1: not to be remeshed
   std::vector<Vertex> m_vertices;
   // of every vertex, what is asked most: dense, so that it stays in the cache
-  struct Place { Vector point; double size; };
+  struct alignas(32) Place { Vector point; double size; };
   std::vector<Place> m_places;          // as in its site
-  std::vector<std::size_t> m_last_change;       // of the faces around it
   std::vector<int> m_free_vertices;
   Junctions<vertex_descriptor> m_junctions;
   std::vector<char> m_is_reference_face_remeshed;
   std::size_t m_number_of_faces = 0;    // that are remeshed
-  std::size_t m_number_of_changes = 0;
-  std::vector<int> m_log;               // numbers of the vertices that have changed
-  bool m_is_logging = false;
+  Change_record<TriangleMesh> m_changes;
 
 public:
   // `faces_of_reference[i]` is the face of the mesh that became face i of the reference;
@@ -96,6 +94,7 @@ public:
     , m_vertex_index(get(CGAL::dynamic_vertex_property_t<int>(), user.tmesh))
     , m_edge(get(CGAL::dynamic_edge_property_t<Edge>(), user.tmesh))
     , m_hint(get(CGAL::dynamic_face_property_t<int>(), user.tmesh))
+    , m_changes(user.tmesh)
     , m_is_reference_face_remeshed(is_remeshed)
   {
     for(const vertex_descriptor v : vertices(user.tmesh))
@@ -103,12 +102,14 @@ public:
     for(const edge_descriptor e : edges(user.tmesh))
       put(m_edge, e, Edge());
 
+    m_changes.begin();
     const Indexed_triangles& triangles = reference.surface.triangles();
     std::vector<int> index_of_vertex(triangles.number_of_vertices(), -1);
     std::vector<Copies> copies_of_vertex(triangles.number_of_vertices());
     for(int f = 0; f < triangles.number_of_faces(); ++f)
     {
       put(m_hint, faces_of_reference[f], is_remeshed[f] ? f : -1);
+      m_changes.set_of_face(faces_of_reference[f]);
       m_number_of_faces += is_remeshed[f];
       halfedge_descriptor h = halfedge(faces_of_reference[f], user.tmesh);
       for(int k = 0; k < 3; ++k, h = next(h, user.tmesh))
@@ -254,11 +255,9 @@ public:
   }
 
   // \name Changes
-  // Changes are numbered. An operator that remembers how many there were when it began its last pass
-  // needs to look only at what has changed since.
-  std::size_t number_of_changes() const { return m_number_of_changes; }
-  // the vertex with the number, which may be gone; -1: of no face
-  bool has_changed(const int i, const std::size_t since) const { return i != -1 && m_last_change[i] > since; }
+  std::size_t number_of_changes() const { return m_changes.number(); }
+  // the vertex with the number, which may be gone
+  bool has_changed(const int i, const std::size_t since) const { return m_changes.is_since_at_vertex(i, since); }
   bool has_changed(const vertex_descriptor v, const std::size_t since) const { return has_changed(index(v), since); }
   bool has_changed(const halfedge_descriptor h, const std::size_t since) const
   {
@@ -269,10 +268,11 @@ public:
     const halfedge_descriptor h = halfedge(f, tmesh());
     return has_changed(h, since) || has_changed(target(next(h, tmesh()), tmesh()), since);
   }
-  // A log of the vertices at which something changes, for who must follow single operations.
-  void start_log() { m_log.clear(); m_is_logging = true; }
-  void stop_log() { m_is_logging = false; }
-  const std::vector<int>& log() const { return m_log; }
+  // Is the triangle another one? A face that has changed may only lie beside such, or at a size that has changed.
+  bool has_new_shape(const face_descriptor f, const std::size_t since) const { return m_changes.is_since_of_face(f, since); }
+  void start_log() { m_changes.start_log(); }
+  void stop_log() { m_changes.stop_log(); }
+  const std::vector<int>& log() const { return m_changes.log(); }
 
 protected:
   // the caller tells which vertices have the number
@@ -283,7 +283,6 @@ protected:
     {
       m_vertices.emplace_back();
       m_places.emplace_back();
-      m_last_change.push_back(0);
     }
     else
     {
@@ -291,7 +290,7 @@ protected:
       m_free_vertices.pop_back();
     }
     m_vertices[i] = data;
-    m_last_change[i] = m_number_of_changes;
+    m_changes.set_at_vertex(i);
     set_site(i, data.site);
     return i;
   }
@@ -316,32 +315,37 @@ protected:
       put(m_user.edge_is_constrained, e, data.is_constrained);
   }
 
-  void touch(const vertex_descriptor v)
+  void touch(const vertex_descriptor v) { m_changes.set_at_vertex(index(v)); }
+
+  void touch_shape(const halfedge_descriptor h)
   {
-    m_last_change[index(v)] = m_number_of_changes;
-    if(m_is_logging)
-      m_log.push_back(index(v));
+    if(!CGAL::is_border(h, tmesh()))
+      m_changes.set_of_face(face(h, tmesh()));
   }
 
   void touch_around(const vertex_descriptor v)
   {
-    ++m_number_of_changes;
+    m_changes.begin();
     touch(v);
     visit_copies(v, [&](const vertex_descriptor copy)
     {
       for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
+      {
         touch(source(h, tmesh()));
+        touch_shape(h);
+      }
     });
   }
 
   // the two faces of an edge
   void touch_quadrangle(const halfedge_descriptor h)
   {
-    ++m_number_of_changes;
+    m_changes.begin();
     for(const halfedge_descriptor side : {h, opposite(h, tmesh())})
     {
       touch(target(side, tmesh()));
       touch(target(next(side, tmesh()), tmesh()));
+      touch_shape(side);
     }
   }
 
@@ -355,7 +359,6 @@ private:
     if(vertex.type == SURFACE_VERTEX)
       vertex.site.normal = m_reference.surface.blended_normal(vertex.site.location);
     vertex.reference_vertex = v;
-    m_number_of_changes = 1;
     vertex.descriptor = descriptor;
     return add_vertex(vertex);
   }

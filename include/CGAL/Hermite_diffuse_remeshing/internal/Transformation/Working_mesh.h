@@ -55,10 +55,9 @@ private:
   using Base::m_hint;
   using Base::m_vertices;
   using Base::m_places;
-  using Base::m_last_change;
   using Base::m_junctions;
   using Base::m_number_of_faces;
-  using Base::m_number_of_changes;
+  using Base::m_changes;
 
   std::size_t m_maximum_number_of_faces;
   Operation_counts m_counts;
@@ -73,7 +72,7 @@ public:
   using Base::is_on_curve;
   using Base::siblings;
   using Base::visit_copies;
-  using Base::has_changed;
+  using Base::has_new_shape;
   using Base::is_stopped;
   using Base::touch_around;
   using Base::touch_quadrangle;
@@ -234,13 +233,13 @@ public:
   {
     // the far end of a slope of the sizes, which no operator would notice, is no change
     constexpr double least_change = 0.01;
-    ++m_number_of_changes;
+    m_changes.begin();
     for(std::size_t i = 0; i < m_vertices.size(); ++i)
     {
       Site& site = m_vertices[i].site;
       const double size = m_reference.sizes(site.location);
       if(std::abs(size - site.size) > least_change * site.size)
-        m_last_change[i] = m_number_of_changes;
+        m_changes.set_at_vertex(static_cast<int>(i));
       m_places[i].size = site.size = size;
     }
   }
@@ -254,7 +253,7 @@ public:
     {
       if(Base::is_stopped_at(step++))
         return;
-      if(is_remeshed(f) && has_changed(f, since))
+      if(is_remeshed(f) && has_new_shape(f, since))
         hints.push_back(std::make_pair(f, -1));
     }
     for_each_index(static_cast<int>(hints.size()), Base::is_parallel(), [&]
@@ -336,6 +335,7 @@ private:
   void set_face_data(const face_descriptor f, const Face_data& data)
   {
     put(m_hint, f, data.hint);
+    m_changes.set_of_face(f);
     put(m_user.face_patch, f, data.patch);
   }
 

@@ -91,12 +91,13 @@ public:
       const double longest = longest_edge(entry);
       const double factor = longest > longest_following_length * m_sizes(entry.location) ? reminder
         : (std::max)(largest_step, aim * std::sqrt(m_maximum_deviation / entry.deviation));
-      // at the corners too: the slope of the sizes would undo a cap in the middle alone
-      const auto cap_at = [&](const Location& location)
+      const auto cap_at = [&](const Location& location, const double factor)
       { caps.push_back(std::make_pair(location, factor * (std::min)(longest, m_sizes(location)))); };
-      cap_at(entry.location);
+      cap_at(entry.location, factor);
+      // At the corners too, halfway: the slope of the sizes would undo a cap in the middle alone, and as much at the
+      // corners would refine all faces around them with this one.
       for(const auto h : CGAL::halfedges_around_face(halfedge(entry.face, tm), tm))
-        cap_at(m_mesh.data(target(h, tm)).site.location);
+        cap_at(m_mesh.data(target(h, tm)).site.location, std::sqrt(factor));
     }
     // the cells that are bisected depend on the order, which must not be that of a type of mesh
     std::sort(caps.begin(), caps.end(), [](const std::pair<Location, double>& a, const std::pair<Location, double>& b)
