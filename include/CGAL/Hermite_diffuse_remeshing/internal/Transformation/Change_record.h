@@ -35,8 +35,8 @@ class Change_record
   bool m_is_logging = false;
 
 public:
-  explicit Change_record(const TriangleMesh& tmesh)
-    : m_last_of_face(get(CGAL::dynamic_face_property_t<std::size_t>(), const_cast<TriangleMesh&>(tmesh)))
+  explicit Change_record(TriangleMesh& tmesh)
+    : m_last_of_face(get(CGAL::dynamic_face_property_t<std::size_t>(), tmesh))
   {}
 
   std::size_t number() const { return m_number; }

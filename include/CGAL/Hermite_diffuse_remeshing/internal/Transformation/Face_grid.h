@@ -67,8 +67,8 @@ struct Bounding_box
 
 // Finds the faces near a box while the mesh changes: an octree with loose cells. A face lies in the one cell
 // that holds its middle, of a level whose cells are larger than the face, so that the faces of a cell reach at
-// most half a cell beyond it. Every cell with faces has all its ancestors, and is found by going down
-// from the largest ones. Surfaces leave most of a large cell empty: cells remember how far the faces below them reach.
+// most half a cell beyond it. Every cell with faces has all its ancestors, and is found by going down from the
+// largest ones. Surfaces leave most of a large cell empty: cells remember how far the faces below them reach.
 template <typename Face>
 class Face_grid
 {

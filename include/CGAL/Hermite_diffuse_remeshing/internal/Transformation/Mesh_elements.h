@@ -72,7 +72,7 @@ protected:
   Edge_map m_edge;
   Face_hint_map m_hint;                 // a face of the reference near the face; -1: not to be remeshed
   std::vector<Vertex> m_vertices;
-  // of every vertex, what is asked most: dense, so that it stays in the cache
+  // of every vertex, what is asked most: dense, so that it stays in the cache, and none across two of its lines
   struct alignas(32) Place { Vector point; double size; };
   std::vector<Place> m_places;          // as in its site
   std::vector<int> m_free_vertices;
@@ -94,8 +94,8 @@ public:
     , m_vertex_index(get(CGAL::dynamic_vertex_property_t<int>(), user.tmesh))
     , m_edge(get(CGAL::dynamic_edge_property_t<Edge>(), user.tmesh))
     , m_hint(get(CGAL::dynamic_face_property_t<int>(), user.tmesh))
-    , m_changes(user.tmesh)
     , m_is_reference_face_remeshed(is_remeshed)
+    , m_changes(user.tmesh)
   {
     for(const vertex_descriptor v : vertices(user.tmesh))
       put(m_vertex_index, v, -1);

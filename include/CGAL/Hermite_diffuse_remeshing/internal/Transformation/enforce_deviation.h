@@ -91,8 +91,8 @@ public:
       const double longest = longest_edge(entry);
       const double factor = longest > longest_following_length * m_sizes(entry.location) ? reminder
         : (std::max)(largest_step, aim * std::sqrt(m_maximum_deviation / entry.deviation));
-      const auto cap_at = [&](const Location& location, const double factor)
-      { caps.push_back(std::make_pair(location, factor * (std::min)(longest, m_sizes(location)))); };
+      const auto cap_at = [&](const Location& location, const double part)
+      { caps.push_back(std::make_pair(location, part * (std::min)(longest, m_sizes(location)))); };
       cap_at(entry.location, factor);
       // At the corners too, halfway: the slope of the sizes would undo a cap in the middle alone, and as much at the
       // corners would refine all faces around them with this one.
