@@ -111,8 +111,8 @@ public:
   };
 
 private:
-  // One level above that whose cells are just as large as a face: a search near some faces meets a third of the cells,
-  // and not much more faces.
+  // above the level whose cells are just as large as a face, where a search near some faces meets some 40 cells with
+  // two faces each on the average
   static constexpr int levels_above = 1;
 
   int m_top_level;
