@@ -40,12 +40,14 @@ inline Barycentric closest_barycentric(const Vector& a, const Vector& b, const V
   if(l[0] >= 0. && l[1] >= 0. && l[2] >= 0.)
     return l;
 
-  // on the border: the closest of the three sides
+  // on the border: the closest of the sides that p is beyond
   const Vector* const corner[3] = {&a, &b, &c};
   double best = (std::numeric_limits<double>::max)();
   Barycentric result = {{1., 0., 0.}};
   for(int k = 0; k < 3; ++k)
   {
+    if(l[previous(k)] >= 0.)
+      continue;
     const Vector& s = *corner[k];
     const Vector& t = *corner[next(k)];
     const double u = on_segment(s, t, p);

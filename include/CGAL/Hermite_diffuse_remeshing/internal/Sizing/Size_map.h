@@ -178,24 +178,28 @@ public:
     return number;
   }
 
-  // Scales the sizes up until their number of faces is at most `limit`. The number falls with the square
-  // of the scale or, where the gradation rules, more slowly: the steps never lead below the limit.
+  // Scales the sizes up until their number of faces is at most `limit`. The number falls with the square of the scale
+  // or, where the gradation or frozen edges rule, ever more slowly: as fast as in the last step at most, so that the
+  // steps do not lead far below the limit.
   template <typename IsSelected>
   void limit_number_of_faces(const double limit, const IsSelected& is_selected)
   {
-    // a number of faces that is this close is met
-    constexpr double tolerance = 0.002;
+    constexpr double tolerance = 0.002;   // a number of faces that is this close is met
     constexpr int maximum_number_of_steps = 100;
     // a smaller one, relative to the number, is rounding: the lengths of frozen edges rule
     constexpr double least_decrease = 1e-6;
-    double last_number = std::numeric_limits<double>::infinity();
+    constexpr double largest_growth = 2.; // in one step, of the power of the number that the scale goes with
+    double power = 0.5, last_step = 0., last_number = std::numeric_limits<double>::infinity();
     for(int step = 0; step < maximum_number_of_steps; ++step, m_progress(0.))
     {
       const double number = number_of_faces(is_selected);
       if(!(number > (1. + tolerance) * limit) || !(number < (1. - least_decrease) * last_number))
         return;
+      if(step > 0)
+        power = (std::max)(power, (std::min)(largest_growth * power, last_step / std::log(last_number / number)));
       last_number = number;
-      m_scale *= std::sqrt(number / limit);
+      last_step = power * std::log(number / limit);
+      m_scale *= std::exp(last_step);
       grade();
     }
   }
@@ -205,9 +209,8 @@ public:
   {
     if(m_fine_sizes.empty())
       m_fine_sizes = m_sizes.values();
-    m_sizes.set(factor == 1. ? std::move(m_fine_sizes)
-                : coarsened_sizes(m_fine_sizes, m_samples, m_cells.samples_of_leaves(), factor,
-                                  m_sources.options().gradation, m_progress));
+    m_sizes.set(factor == 1. ? std::move(m_fine_sizes) : coarsened_sizes(
+                m_fine_sizes, m_samples, m_cells.samples_of_leaves(), factor, gradation(), m_progress));
     if(factor == 1.)
       m_fine_sizes.clear();
   }
@@ -353,7 +356,7 @@ private:
     for(int k = 0; k < 3; ++k)
     {
       const double a = m_samples.user_size(cell.samples[k]), b = m_samples.user_size(cell.samples[next(k)]);
-      const double allowed = slope_of_gradation(m_sources.options().gradation) * m_samples.side_length(cell, k);
+      const double allowed = slope_of_gradation(gradation()) * m_samples.side_length(cell, k);
       if(std::abs(a - b) > (1. + size_tolerance) * allowed + size_tolerance * (std::min)(a, b))
         return true;
     }
@@ -370,8 +373,7 @@ private:
       for(int j = 0; i + j <= n && m_number_of_probes < last_probe; ++j, ++m_number_of_probes)
       {
         // the centroids of the upright triangles of a regular partition of the cell
-        const Barycentric l = {{(i + 1. / 3.) / (n + 1.), (j + 1. / 3.) / (n + 1.),
-                                1. - (i + j + 2. / 3.) / (n + 1.)}};
+        const Barycentric l = {{(i + 1. / 3.) / (n + 1.), (j + 1. / 3.) / (n + 1.), 1. - (i + j + 2. / 3.) / (n + 1.)}};
         Vector p = Vector::Zero();
         double interpolated = 0.;
         for(int m = 0; m < 3; ++m)
@@ -386,11 +388,9 @@ private:
     return false;
   }
 
-  void grade() { m_sizes.grade(m_cells, m_samples, m_frozen, m_scale, m_sources.options().gradation, m_progress); }
-  void grade_again()
-  {
-    m_sizes.grade_again(m_cells, m_samples, m_frozen, m_scale, m_sources.options().gradation, m_progress);
-  }
+  double gradation() const { return m_sources.options().gradation; }
+  void grade() { m_sizes.grade(m_cells, m_samples, m_frozen, m_scale, gradation(), m_progress); }
+  void grade_again() { m_sizes.grade_again(m_cells, m_samples, m_frozen, m_scale, gradation(), m_progress); }
 };
 
 } // namespace internal

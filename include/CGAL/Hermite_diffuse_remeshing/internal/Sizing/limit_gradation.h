@@ -40,20 +40,20 @@ inline double slope_of_gradation(const double gradation)
 inline double bound_from_segment(const Vector& a, const Vector& b, const double s, const double t,
                                  const Vector& p, const double slope)
 {
-  const double length = (b - a).norm();
   const double at_ends = (std::min)(s + slope * (p - a).norm(), t + slope * (p - b).norm());
+  const double length = (b - a).norm();
   if(!(length > 0.))
+    return at_ends;
+  const double sine = (t - s) / (slope * length);          // of the angle at which the front arrives
+  if(!(std::abs(sine) < 1.))
     return at_ends;
   const Vector direction = (b - a) / length;
   const double foot = (p - a).dot(direction);
   const double height = (p - a - foot * direction).norm();
-  const double sine = (t - s) / (slope * length);          // of the angle at which the front arrives
-  if(!(std::abs(sine) < 1.))
-    return at_ends;
   const double x = foot - height * sine / std::sqrt(1. - sine * sine);
   if(x <= 0. || x >= length)
     return at_ends;
-  const double bound = s + (t - s) * x / length + slope * std::hypot(foot - x, height);
+  const double bound = s + (t - s) * x / length + slope * std::sqrt((foot - x) * (foot - x) + height * height);
   // A size may only depend on smaller ones. In an obtuse triangle the front can seem to arrive before
   // it has passed one of the ends, and two vertices would lower each other for ever. In symmetric
   // triangles the two are equal, which rounding must not decide.
@@ -104,9 +104,10 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
       const std::array<int, 3>& triangle = triangles[incident[n]];
       for(int k = 0; k < 3; ++k)
       {
-        if(triangle[k] == i)
-          continue;
         const int target = triangle[k];
+        // a smaller one is lowered from smaller ones only, which have been here before
+        if(!(sizes[target] > sizes[i]))
+          continue;
         const int other = triangle[next(k)] == i ? triangle[previous(k)] : triangle[next(k)];
         const double bound = bound_from_segment(point(i), point(other), sizes[i], sizes[other],
                                                 point(target), slope);

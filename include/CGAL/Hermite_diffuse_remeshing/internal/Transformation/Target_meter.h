@@ -107,6 +107,7 @@ private:
 
   // From a point of the model that is nearly too far away to one between it and the next ones that is farther. The
   // model has a slight ridge along the sides of coarse faces, of which smooth heights over a face of the mesh know nothing.
+  // Ends where the bound is out of reach.
   template <typename FindClosest>
   void climb(const Deviation_target& target, const Closest& at_target, const FindClosest& find_closest)
   {
@@ -118,16 +119,23 @@ private:
     for(int i = 0; i < number_of_halvings; ++i)
     {
       step /= 2.;
+      double least_distance2 = best.distance2;
       for(const Location& location : locations_around(best_location, step))
       {
         const Vector p = m_mesh.reference().surface_point(location);
         const Closest closest = find_closest(p, get(m_index, best.face));
+        least_distance2 = (std::min)(least_distance2, closest.distance2);
         if(closest.distance2 <= best.distance2)
           continue;
         best = closest;
         best_point = p;
         best_location = location;
       }
+      // The steps that are left are shorter together than this one, over which the distance has changed by so much
+      // at most.
+      const double distance = std::sqrt(best.distance2), largest_change = distance - std::sqrt(least_distance2);
+      if(distance + largest_change <= m_bound)
+        break;
     }
     if(best.distance2 > at_target.distance2)
       add_target(best_point, best, best_location);

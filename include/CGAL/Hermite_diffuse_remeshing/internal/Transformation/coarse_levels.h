@@ -35,7 +35,7 @@ int coarsest_level(const Working_mesh<UserMesh>& mesh)
   // faces: below this nothing is gained, and features are a large part of the mesh
   constexpr double least_number = 2000.;
   // of the input's faces: it needs not be made much coarser only to be refined again
-  constexpr double least_part_of_input = 0.25;
+  constexpr double least_part_of_input = 0.5;
   // From one level to the next the number of faces falls by four; by less than this it is the shape that rules.
   constexpr double least_ratio = 2.5;
   if(is_nearly_adapted(mesh))

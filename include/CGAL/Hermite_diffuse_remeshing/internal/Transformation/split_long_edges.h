@@ -69,7 +69,8 @@ bool is_split_topologically_legal(const Working_mesh<UserMesh>& mesh,
 
 // May the edge be split at the site? None of the triangles it makes may be turned over, and none
 // may be thinner than halving a triangle explains. Long strips between features consist of needles before they are
-// split: where their normals are still right, their shape does not matter.
+// split: where their normals are still right, their shape does not matter. Along a curve edges that are far too long
+// are split in any case.
 template <typename UserMesh>
 bool is_split_legal(const Working_mesh<UserMesh>& mesh,
                     const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
@@ -90,6 +91,11 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
     after.add(worth(reference, site, mesh.site(target(side, tm)), opposite_site, mesh.hint(side)));
   }
   if(after.score >= score_floor)
+    return true;
+  // Nothing else follows a feature where the triangles at it are turned over, as at a fold of the model: there its
+  // edges would keep the length of the input.
+  constexpr double longest_length_on_curve = 4.;
+  if(mesh.is_on_curve(h) && mesh.relative_length(h) > longest_length_on_curve)
     return true;
   Worth before;
   for(const auto side : sides)
