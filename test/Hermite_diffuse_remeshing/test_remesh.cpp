@@ -2,6 +2,7 @@
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Hermite_diffuse_remeshing/Attribute_transfer.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Polyhedron_3.h>
@@ -341,6 +342,23 @@ void test_close_corners()
   assert(report.smallest_quality > 1.4 * std::sqrt(3.) * width / length);
 }
 
+// At a border where the input is folded back on itself all triangles are turned over. Its edges, six times as long as
+// their sizes, are split all the same: the worst triangle would stay at one of them.
+void test_folded_border()
+{
+  std::cout << "folded border" << std::endl;
+  const Surface_mesh input = read_data<Surface_mesh>("mech-holes-shark.off");
+  const CGAL::Bbox_3 box = PMP::bbox(input);
+  const double diagonal = std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
+                                    + CGAL::square(box.zmax() - box.zmin()));
+  Surface_mesh output = input;
+  const auto report = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.02)
+    .maximum_deviation(0.001 * diagonal).minimum_edge_length(0.003 * diagonal).maximum_edge_length(0.1 * diagonal));
+  check_result(input, output);
+  std::cout << "  smallest quality " << report.smallest_quality << std::endl;
+  assert(report.smallest_quality > 0.1);
+}
+
 void test_maximum_deviation()
 {
   std::cout << "maximum deviation" << std::endl;
@@ -619,6 +637,7 @@ int main(int argc, char** argv)
   test_part_of_mesh();
   test_constraints();
   test_close_corners();
+  test_folded_border();
   test_maximum_deviation();
   test_size_field();
   test_visitor();

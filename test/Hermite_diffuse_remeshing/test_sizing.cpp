@@ -202,6 +202,31 @@ void test_coarse_middle()
   assert(largest_on_cap > 4. * fine);
 }
 
+// Where the slope of the sizes rules, their number of faces falls slowly with the scale, and then faster. The budget is
+// met all the same, and not missed from below.
+void test_budget_with_gradation()
+{
+  Indexed_triangles square;
+  square.points = {Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, 1, 0)};
+  square.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  for(const double gradation : {1.05, 1.3})
+    for(const double share : {0.5, 0.1, 0.01})
+    {
+      Size_options options;
+      options.minimum_length = 1e-4;
+      options.maximum_length = 0.5;
+      options.gradation = gradation;
+      options.user_size = [](const Vector& p, const Location&) { return (p - Vector(1, 0, 0)).norm() < 1e-9 ? 1e-3 : 0.5; };
+      Sized_model sized(square, options);
+      const auto is_selected = [](int) { return true; };
+      const double limit = share * sized.sizes.number_of_faces(is_selected);
+      sized.sizes.limit_number_of_faces(limit, is_selected);
+      const double number = sized.sizes.number_of_faces(is_selected);
+      std::cout << "  gradation " << gradation << ", budget " << limit << ": " << number << std::endl;
+      assert(number <= 1.002 * limit && number >= 0.998 * limit);
+    }
+}
+
 int main()
 {
   test_error_law();
@@ -210,6 +235,7 @@ int main()
   test_torus_sizes();
   test_gradation_on_large_faces();
   test_coarse_middle();
+  test_budget_with_gradation();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -179,8 +179,8 @@ public:
   }
 
   // Scales the sizes up until their number of faces is at most `limit`. The number falls with the square of the scale
-  // or, where the gradation or frozen edges rule, ever more slowly: as fast as in the last step at most, so that the
-  // steps do not lead far below the limit.
+  // or, where the gradation or frozen edges rule, more slowly. Over the logarithm of the scale it is convex: steps
+  // along its last secant do not lead below the limit.
   template <typename IsSelected>
   void limit_number_of_faces(const double limit, const IsSelected& is_selected)
   {
@@ -188,17 +188,16 @@ public:
     constexpr int maximum_number_of_steps = 100;
     // a smaller one, relative to the number, is rounding: the lengths of frozen edges rule
     constexpr double least_decrease = 1e-6;
-    constexpr double largest_growth = 2.; // in one step, of the power of the number that the scale goes with
-    double power = 0.5, last_step = 0., last_number = std::numeric_limits<double>::infinity();
+    constexpr double longest_step = 3.;   // where the number hardly falls
+    double last_step = 0., last_number = std::numeric_limits<double>::infinity();
     for(int step = 0; step < maximum_number_of_steps; ++step, m_progress(0.))
     {
       const double number = number_of_faces(is_selected);
       if(!(number > (1. + tolerance) * limit) || !(number < (1. - least_decrease) * last_number))
         return;
-      if(step > 0)
-        power = (std::max)(power, (std::min)(largest_growth * power, last_step / std::log(last_number / number)));
+      const double along_secant = last_step * (number - limit) / (last_number - number);
+      last_step = (std::max)(std::log(number / limit) / 2., (std::min)(along_secant, longest_step));
       last_number = number;
-      last_step = power * std::log(number / limit);
       m_scale *= std::exp(last_step);
       grade();
     }
