@@ -32,6 +32,13 @@ void* operator new(const std::size_t size)
   throw std::bad_alloc();
 }
 void* operator new[](const std::size_t size) { return operator new(size); }
+// that of the address sanitizer, of `std::stable_sort()`'s buffers, would not go with the ones below
+void* operator new(const std::size_t size, const std::nothrow_t&) noexcept
+{
+  try { return operator new(size); }
+  catch(const std::bad_alloc&) { return nullptr; }
+}
+void operator delete(void* const memory, const std::nothrow_t&) noexcept { std::free(memory); }
 void operator delete(void* const memory) noexcept { std::free(memory); }
 void operator delete(void* const memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* const memory) noexcept { std::free(memory); }
