@@ -108,7 +108,7 @@ void test_steps_along_a_curve()
                                            [&](double) { ++number_of_steps; return true; });
     std::cout << "  " << number_of_steps << " steps from " << part << " to " << best.parameter / length << std::endl;
     assert(std::abs(best.parameter / length - 0.5) < 0.02);
-    assert(number_of_steps < 200);
+    assert(number_of_steps < 40);
   }
 }
 

@@ -127,15 +127,21 @@ public:
                           const double part_of_distance = 0.) const
   {
     constexpr int maximum_number_of_steps = 30;
+    // At a fold Newton's method may go from one part of the surface to another for ever: so many steps together have to
+    // bring it nearer by a considerable part.
+    constexpr int maximum_number_of_steps_in_vain = 4;
+    constexpr double considerable_part = 0.7;
     // a step far below the tolerance; one just below it may still be the one that reaches it
     constexpr double stall = 1e-3;
     Projection best = start;
     double best_residual = tangential_residual(best.quadric, p);
     Projection current = best;
+    int steps_in_vain = 0;
+    double last_considerable_residual = best_residual;
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
       best.is_foot = best_residual <= tolerance || is_height_distance(best.quadric, best_residual, p, part_of_distance);
-      if(best.is_foot)
+      if(best.is_foot || steps_in_vain == maximum_number_of_steps_in_vain)
         break;
       const Vector target = base_point_of_foot(current.quadric, p);
       const Location location = walk_along(target, current.location.face, current.quadric.z_axis);
@@ -145,6 +151,10 @@ public:
       current.location = location;
       current.quadric = m_surface.evaluate(location);
       const double residual = tangential_residual(current.quadric, p);
+      const bool is_considerable = residual < considerable_part * last_considerable_residual;
+      steps_in_vain = is_considerable ? 0 : steps_in_vain + 1;
+      if(is_considerable)
+        last_considerable_residual = residual;
       if(residual < best_residual)
       {
         best = current;

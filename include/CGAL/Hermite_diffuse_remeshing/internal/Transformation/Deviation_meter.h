@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -49,7 +48,8 @@ class Deviation_meter
   Deviations<UserMesh> m_deviations;
   std::vector<char> m_is_new;           // of the faces: has to be measured
   std::vector<Face_gaps> m_gaps;        // of those
-  std::map<int, std::vector<Location> > m_ridges;     // the points above edges, by the number of the new face
+  // the points above edges, by the number of the new face and of the edge of the reference
+  std::vector<std::pair<std::pair<int, int>, Location> > m_ridges;
   double m_second_look = 0.;            // distances below it need none
 
   // relative to the local size; a deviation needs two digits
@@ -257,13 +257,11 @@ private:
   {
     const TriangleMesh& tm = m_mesh.tmesh();
     std::vector<halfedge_descriptor> new_edges;
-    for(const auto e : edges(tm))
-    {
-      const halfedge_descriptor h = m_mesh.is_border_or_outside(halfedge(e, tm)) ? opposite(halfedge(e, tm), tm)
-                                                                                 : halfedge(e, tm);
-      if(is_new(index_at(h)) || is_new(index_at(opposite(h, tm))))
-        new_edges.push_back(h);
-    }
+    for(const int f : numbers_of_new_faces([](int) { return true; }))
+      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(m_deviations.faces[f].face, tm), tm))
+        // each once, from the side that is the same for every mesh type
+        if(!is_new(index_at(opposite(h, tm))) || m_mesh.index(source(h, tm)) < m_mesh.index(target(h, tm)))
+          new_edges.push_back(h);
     measure_at(new_edges, [&](const halfedge_descriptor h) { return measure_edge(h); },
                [&](const halfedge_descriptor h, const Edge_measurement& measured)
     {
@@ -281,7 +279,7 @@ private:
           continue;
         set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
         for(const Ridge_point& ridge : measured.ridges)
-          m_ridges[i].push_back(ridge.location);
+          m_ridges.push_back({{i, edge_of_reference(m_mesh.reference(), ridge.location)}, ridge.location});
       }
     });
   }
@@ -290,11 +288,10 @@ private:
   {
     struct Place { int face; Location first, second; };
     std::vector<Place> places;
-    for(const auto& entry : m_ridges)
-      for(auto it = entry.second.begin(); it != entry.second.end(); ++it)
-        for(auto other = entry.second.begin(); other != it; ++other)
-          if(edge_of_reference(m_mesh.reference(), *it) == edge_of_reference(m_mesh.reference(), *other))
-            places.push_back({entry.first, *other, *it});
+    std::stable_sort(m_ridges.begin(), m_ridges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(std::size_t i = 0; i < m_ridges.size(); ++i)
+      for(std::size_t j = i; j > 0 && m_ridges[j - 1].first == m_ridges[i].first; --j)
+        places.push_back({m_ridges[i].first.first, m_ridges[j - 1].second, m_ridges[i].second});
     m_ridges.clear();
     measure_at(places, [&](const Place& place)
                { return ridge_point_between(m_mesh, place.first, place.second, m_deviations.faces[place.face].face); },

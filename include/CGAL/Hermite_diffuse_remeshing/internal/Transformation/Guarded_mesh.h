@@ -74,7 +74,7 @@ private:
   Search_map m_search;                                              // the last search that has met the face
   std::size_t m_number_of_searches = 0;
   Sheet_view m_view;
-  struct Met_face { face_descriptor face; Numbered_triangle triangle; };
+  struct Met_face { halfedge_descriptor halfedge; Numbered_triangle triangle; };     // its corners follow the halfedge
   std::vector<Met_face> m_met;                                      // by the search
   std::vector<std::pair<double, std::size_t> > m_queue;             // distances of faces that were met; a heap
 
@@ -82,6 +82,8 @@ private:
   static constexpr double reach_of_search = 5.;
   // and as far as it has met so many faces, in a fine mesh that is being coarsened for one
   static constexpr std::size_t satisfying_number_of_faces = 128;
+  // A ball that is less times larger than asked for serves few operations: it takes less time to test the faces near by.
+  static constexpr double least_useful_ball = 2.;
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
   // than what is clear.
   static constexpr double clearance = 1.25;
@@ -113,12 +115,10 @@ public:
     m_surroundings.resize(this->m_vertices.size());
     std::size_t step = 0;
     for(const face_descriptor f : faces(tmesh()))
-    {
-      // no operation will ask the guard
       if(this->is_stopped_at(step++))
-        return;
-      note(f);
-    }
+        return;                         // no operation will ask the guard
+      else
+        note(f);
   }
 
   bool is_guarded() const { return m_guard != nullptr; }
@@ -143,8 +143,12 @@ public:
   // May the one triangles take the place of the others?
   bool is_free(const vertex_descriptor center, const Numbered_triangles& made, const Numbered_triangles& replaced)
   {
-    if(!m_guard || is_clear(center, made, replaced))
-      return true;
+    return !m_guard || is_clear(center, made, replaced) || is_allowed(center, made, replaced);
+  }
+
+  // same, without the look for a clear ball
+  bool is_allowed(const vertex_descriptor center, const Numbered_triangles& made, const Numbered_triangles& replaced)
+  {
     note_moved();
     if(!m_guard->allows(made, replaced, [this](const face_descriptor f) { return triangle(f); }))
       return false;
@@ -238,7 +242,7 @@ private:
   }
 
   // A clear ball that holds the one around v with the radius: that of v, one of its neighbours, or a new one; -1 if
-  // there is none. What is too close to the neighbours for a ball will be too close to v.
+  // there is none, or none worth a search. What is too close to the neighbours for a ball will be too close to v.
   int find_ball(const vertex_descriptor v, const double radius)
   {
     Surroundings& around = m_surroundings[index(v)];
@@ -251,7 +255,7 @@ private:
         return around.ball = other.ball;
       around.bound = (std::min)(around.bound, other.bound + this->length(h));
     }
-    return around.bound >= radius && search(v, radius) ? around.ball : -1;
+    return around.bound >= least_useful_ball * radius && search(v, radius) ? around.ball : -1;
   }
 
   // Looks for a ball around v, with the radius at least. Faces are met in the order of their distances, as far as they
@@ -302,23 +306,25 @@ private:
          || (m_met.size() >= satisfying_number_of_faces && distance >= needed))
         clear = distance;
       m_view.add(met.triangle, distance);
-      for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(met.face, tmesh()), tmesh()))
-        meet(opposite(h, tmesh()), center, clear);
+      halfedge_descriptor h = met.halfedge;
+      for(int k = 0; k < 3; ++k, h = next(h, tmesh()))
+        meet(opposite(h, tmesh()), met.triangle, k, center, clear);
     }
   }
 
   // that of the nearest face, closer than `limit`, that the search has not met; else infinity
   double distance_of_other_sheet(const Vector& center, const double limit) const
   {
-    double result = (std::numeric_limits<double>::infinity)();
+    double result = limit;
     const Vector reach = Vector::Constant(limit);
     m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f, const Bounding_box& box)
     {
-      if(get(m_search, f) != m_number_of_searches)
-        result = (std::min)(result, box.distance(center));
+      const double distance = box.distance(center);
+      if(distance < result && get(m_search, f) != m_number_of_searches)
+        result = distance;
       return true;
     });
-    return result;
+    return result < limit ? result : (std::numeric_limits<double>::infinity)();
   }
 
   void begin_search(const vertex_descriptor v)
@@ -327,7 +333,10 @@ private:
     m_met.clear();
     m_queue.clear();
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-      meet(h, point(v), (std::numeric_limits<double>::infinity)());
+    {
+      const vertex_descriptor s = source(h, tmesh());
+      meet(h, {{{index(v), index(s)}}, {{point(v), point(s)}}}, 0, point(v), (std::numeric_limits<double>::infinity)());
+    }
   }
 
   bool is_met_first(const face_descriptor f)
@@ -338,21 +347,21 @@ private:
     return true;
   }
 
-  // a face that hangs together with others; it waits for its turn if it is closer than `limit`
-  void meet(const halfedge_descriptor h, const Vector& center, const double limit)
+  // The face of h, beside the corners k and k + 1 of another; it waits for its turn if it is closer than `limit`.
+  void meet(const halfedge_descriptor h, const Numbered_triangle& beside, const int k, const Vector& center, const double limit)
   {
-    if(CGAL::is_border(h, tmesh()))
+    if(CGAL::is_border(h, tmesh()) || !is_met_first(face(h, tmesh())))
       return;
-    const face_descriptor f = face(h, tmesh());
-    if(!is_met_first(f))
-      return;
-    const Numbered_triangle t = triangle(f);
+    const int l = (k + 1) % 3;
+    const vertex_descriptor apex = target(next(h, tmesh()), tmesh());
+    const Numbered_triangle t = {{{beside.vertices[l], beside.vertices[k], index(apex)}},
+                                 {{beside.points[l], beside.points[k], point(apex)}}};
     const double distance = Bounding_box(t.points).distance(center);
     if(!(distance < limit))
       return;
     m_queue.push_back(std::make_pair(distance, m_met.size()));
     std::push_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
-    m_met.push_back({f, t});
+    m_met.push_back({h, t});
   }
 
   // Triangles that turn from the axis end a ball for good; where a border moves, it has to be found again.

@@ -29,7 +29,7 @@ class Sheet_view
   {
     std::array<int, 3> vertices;
     std::array<double, 3> x, y;
-    double right, low, high, distance;
+    double distance;                    // to the middle of the view
   };
 
   struct Seen_triangle
@@ -39,8 +39,15 @@ class Sheet_view
   };
 
   std::vector<Seen_triangle> m_triangles;
+  // what most pairs of shadows are told apart by
+  struct Extent
+  {
+    double left, right, low, high;
+    const Shadow* shadow;
+  };
+
   std::vector<Shadow> m_shadows;
-  std::vector<std::pair<double, std::size_t> > m_order;           // of the shadows, from the left
+  std::vector<Extent> m_extents;        // of the shadows, from the left
 
 public:
   void clear() { m_triangles.clear(); }
@@ -49,43 +56,46 @@ public:
   // the radius around the middle, up to a bound, within which no triangle lies above another, seen along an axis
   double simple_radius(const Vector& axis, double bound)
   {
-    cast_shadows(axis);
-    for(std::size_t i = 0; i < m_order.size(); ++i)
-    {
-      const Shadow& s = m_shadows[m_order[i].second];
-      for(std::size_t j = i + 1; j < m_order.size() && m_order[j].first < s.right; ++j)
+    cast_shadows(axis, bound);
+    for(auto s = m_extents.begin(); s != m_extents.end(); ++s)
+      for(auto t = s + 1; t != m_extents.end() && t->left < s->right; ++t)
       {
-        const Shadow& t = m_shadows[m_order[j].second];
-        if(s.low < t.high && t.low < s.high && (std::max)(s.distance, t.distance) < bound && do_overlap(s, t))
-          bound = (std::max)(s.distance, t.distance);
+        if(!(s->low < t->high && t->low < s->high))
+          continue;
+        const double distance = (std::max)(s->shadow->distance, t->shadow->distance);
+        if(distance < bound && do_overlap(*s->shadow, *t->shadow))
+          bound = distance;
       }
-    }
     return bound;
   }
 
 private:
-  void cast_shadows(const Vector& axis)
+  // of the triangles closer than `bound`
+  void cast_shadows(const Vector& axis, const double bound)
   {
     const Vector x_axis = axis.unitOrthogonal(), y_axis = axis.cross(x_axis);
     m_shadows.clear();
-    m_order.clear();
+    m_extents.clear();
+    m_shadows.reserve(m_triangles.size());
     for(const Seen_triangle& seen : m_triangles)
     {
+      if(!(seen.distance < bound))
+        continue;
       Shadow s;
       s.vertices = seen.triangle.vertices;
+      s.distance = seen.distance;
       for(int i = 0; i < 3; ++i)
       {
         s.x[i] = x_axis.dot(seen.triangle.points[i]);
         s.y[i] = y_axis.dot(seen.triangle.points[i]);
       }
-      s.right = (std::max)({s.x[0], s.x[1], s.x[2]});
-      s.low = (std::min)({s.y[0], s.y[1], s.y[2]});
-      s.high = (std::max)({s.y[0], s.y[1], s.y[2]});
-      s.distance = seen.distance;
-      m_order.push_back(std::make_pair((std::min)({s.x[0], s.x[1], s.x[2]}), m_shadows.size()));
       m_shadows.push_back(s);
+      m_extents.push_back({(std::min)({s.x[0], s.x[1], s.x[2]}), (std::max)({s.x[0], s.x[1], s.x[2]}),
+                           (std::min)({s.y[0], s.y[1], s.y[2]}), (std::max)({s.y[0], s.y[1], s.y[2]}),
+                           &m_shadows.back()});
     }
-    std::sort(m_order.begin(), m_order.end());
+    std::sort(m_extents.begin(), m_extents.end(), [](const Extent& a, const Extent& b)
+              { return a.left != b.left ? a.left < b.left : a.shadow < b.shadow; });
   }
 
   // Neighbours, which have a common vertex, lie side by side as both face the viewer.

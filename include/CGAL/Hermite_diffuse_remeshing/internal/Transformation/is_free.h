@@ -90,7 +90,7 @@ bool is_relocation_free(Working_mesh<UserMesh>& mesh,
   Numbered_triangles made;
   for(const Numbered_triangle& t : replaced)
     made.push_back(with_corner(t, mesh.index(v), mesh.index(v), site.point));
-  return mesh.is_free(center, made, replaced);
+  return mesh.is_allowed(center, made, replaced);
 }
 
 template <typename UserMesh>

@@ -66,8 +66,8 @@ void propose_and_accept_in_waves(const Working_mesh<UserMesh>& mesh,
                                  const Propose& propose, const Accept& accept)
 {
   typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
-  // many enough for long waves, few enough for the cache
-  constexpr std::size_t window_size = 4096;
+  // many enough for long waves, few enough for what is around them to stay in the cache
+  constexpr std::size_t window_size = 1024;
   std::vector<int> wave(mesh.number_of_vertex_slots(), -1);       // -1: not in the window
   std::vector<std::pair<int, vertex_descriptor> > window;
   for(std::size_t first = 0; first < vertices.size(); first += window_size)

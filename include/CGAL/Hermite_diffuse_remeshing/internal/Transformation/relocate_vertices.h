@@ -126,13 +126,14 @@ Site better_site_on_curve(const Reference& reference, const Site& start, const s
                           const Star& star, const IsAllowed& is_allowed)
 {
   // Of the mean distance to the ends, and of that to the closer one: a vertex may be as near to one of them as
-  // rounding lets it, and would not get away in such steps.
+  // rounding lets it, and would not get away in such steps. Once it has got away they need not be so small any more.
   constexpr double first_step = 0.2, last_step = 0.02;
   const double mean_length = (ends.second - ends.first) / 2.;
-  const double shorter_length = (std::min)(start.parameter - ends.first, ends.second - start.parameter);
   Site best = start;
+  const auto shortest_step = [&]
+  { return last_step * (std::min)(best.parameter - ends.first, ends.second - best.parameter); };
   Star::Badness least = star.badness(best);
-  for(double step = first_step * mean_length; step > 0. && step >= last_step * shorter_length; )
+  for(double step = first_step * mean_length; step > 0. && step >= shortest_step(); )
   {
     const double center = best.parameter;
     bool is_moved = false;
