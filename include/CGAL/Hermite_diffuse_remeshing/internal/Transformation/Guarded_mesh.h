@@ -82,7 +82,7 @@ private:
   static constexpr double reach_of_search = 5.;
   // and as far as it has met so many faces, in a fine mesh that is being coarsened for one
   static constexpr std::size_t satisfying_number_of_faces = 128;
-  // A ball that is less times larger than asked for serves few operations: it takes less time to test the faces near by.
+  // Where no ball can be as many times as large as asked for, it takes less time to test the faces near by than to find it.
   static constexpr double least_useful_ball = 2.;
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
   // than what is clear.
@@ -146,7 +146,7 @@ public:
     return !m_guard || is_clear(center, made, replaced) || is_allowed(center, made, replaced);
   }
 
-  // same, without the look for a clear ball
+  // same, for who has looked for a clear ball already, with a guard
   bool is_allowed(const vertex_descriptor center, const Numbered_triangles& made, const Numbered_triangles& replaced)
   {
     note_moved();
