@@ -86,9 +86,9 @@ int main(int argc, char** argv)
     PMP::polygon_soup_to_polygon_mesh(points, torus.faces, input);
   }
   std::cout << input.number_of_faces() << " faces\n";
-  const double error = argc > 2 ? std::atof(argv[2]) : 0.0005;
+  const double error = argc > 2 ? std::atof(argv[2]) : 0.001;
   const CGAL::Bbox_3 box = PMP::bbox(input);
-  const double deviation = (argc > 3 ? std::atof(argv[3]) : 2.5e-5)
+  const double deviation = (argc > 3 ? std::atof(argv[3]) : 5e-5)
                          * std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
   const auto parameters = [=](Visitor& visitor)
   { return CGAL::parameters::approximation_error(error).maximum_deviation(deviation).visitor(std::ref(visitor)); };

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_gaps.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Ridge_pairs.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Ridge_point.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Target_meter.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -47,9 +49,9 @@ class Deviation_meter
   Deviation_targets m_targets;
   Deviations<UserMesh> m_deviations;
   std::vector<char> m_is_new;           // of the faces: has to be measured
+  std::vector<int> m_new_faces;         // the numbers of those
   std::vector<Face_gaps> m_gaps;        // of those
-  // the points above edges, by the number of the new face and of the edge of the reference
-  std::vector<std::pair<std::pair<int, int>, Location> > m_ridges;
+  Ridge_pairs m_ridges;                 // of the new faces
   double m_second_look = 0.;            // distances below it need none
 
   // relative to the local size; a deviation needs two digits
@@ -63,7 +65,7 @@ public:
   Deviation_meter(const Mesh& mesh, const double bound)
     : m_mesh(mesh), m_bound(bound / raised), m_index(make_index_map())
     , m_targets(mesh.reference(), bound, (std::max)(mesh.maximum_number_of_faces(), mesh.number_of_faces()),
-                [&mesh](const int f) { return mesh.is_reference_face_remeshed(f); }, progress())
+                [&mesh](const int f) { return mesh.is_reference_face_remeshed(f); }, mesh.progress())
   {
     m_deviations.model_distance = m_targets.model_distance();
   }
@@ -74,6 +76,7 @@ public:
   {
     m_deviations.faces.clear();
     m_is_new.clear();
+    m_new_faces.clear();
     m_index = make_index_map();
     for(const face_descriptor f : faces(m_mesh.tmesh()))
     {
@@ -94,6 +97,7 @@ public:
     std::vector<Face_deviation<face_descriptor> > old_faces;
     old_faces.swap(m_deviations.faces);
     m_is_new.clear();
+    m_new_faces.clear();
     const Face_index_map old_index = m_index;
     m_index = make_index_map();
     std::vector<int> new_index(old_faces.size(), -1);
@@ -125,15 +129,11 @@ private:
   // of the faces that there are now: the mesh is not ours, so the map does not grow with it
   Face_index_map make_index_map() const { return get(CGAL::dynamic_face_property_t<int>(), m_mesh.tmesh()); }
 
-  Progress progress() const
-  {
-    return Progress([this](double) { return !m_mesh.is_stopped(); });
-  }
-
   void add_new_face(const face_descriptor f)
   {
     m_mesh.give_up_if_stopped();
-    put(m_index, f, static_cast<int>(m_deviations.faces.size()));
+    m_new_faces.push_back(static_cast<int>(m_deviations.faces.size()));
+    put(m_index, f, m_new_faces.back());
     Face_deviation<face_descriptor> entry;
     entry.face = f;
     m_deviations.faces.push_back(entry);
@@ -162,11 +162,10 @@ private:
     m_second_look = (std::min)(m_bound, m_deviations.largest / raised);
     measure_peaks();
     std::vector<face_descriptor> new_faces;
-    for(std::size_t i = 0; i < m_is_new.size(); ++i)
-      if(m_is_new[i])
-        new_faces.push_back(m_deviations.faces[i].face);
+    for(const int f : m_new_faces)
+      new_faces.push_back(m_deviations.faces[f].face);
     Target_meter<UserMesh>(m_mesh, m_index, std::move(new_faces), m_bound, m_second_look, m_targets, m_deviations)
-      .measure(progress());
+      .measure(m_mesh.progress());
     m_deviations.summarize();
     m_gaps.clear();
   }
@@ -179,17 +178,6 @@ private:
     propose_and_accept(m_mesh, places.begin(), places.end(), measure,
                        [&](const Place& place, const auto& result, std::size_t) { enter(place, result); });
     m_mesh.give_up_if_stopped();
-  }
-
-  // numbers of the new faces that `is_selected(number)`
-  template <typename IsSelected>
-  std::vector<int> numbers_of_new_faces(const IsSelected& is_selected) const
-  {
-    std::vector<int> result;
-    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
-      if(m_is_new[i] && is_selected(static_cast<int>(i)))
-        result.push_back(static_cast<int>(i));
-    return result;
   }
 
   void add_to_mean(const double distance, const int f)
@@ -225,7 +213,7 @@ private:
   void measure_centroids()
   {
     const Barycentric center = {{1. / 3., 1. / 3., 1. / 3.}};
-    measure_at(numbers_of_new_faces([](int) { return true; }), [&](const int f) { return nearest_at(f, center); },
+    measure_at(m_new_faces, [&](const int f) { return nearest_at(f, center); },
                [&](const int f, const Reference::Nearest& nearest)
     {
       m_deviations.add(point_of_face(f, center), nearest.distance, nearest.location, {f});
@@ -257,11 +245,14 @@ private:
   {
     const TriangleMesh& tm = m_mesh.tmesh();
     std::vector<halfedge_descriptor> new_edges;
-    for(const int f : numbers_of_new_faces([](int) { return true; }))
+    for(const int f : m_new_faces)
+    {
+      m_mesh.give_up_if_stopped();
       for(const halfedge_descriptor h : CGAL::halfedges_around_face(halfedge(m_deviations.faces[f].face, tm), tm))
         // each once, from the side that is the same for every mesh type
         if(!is_new(index_at(opposite(h, tm))) || m_mesh.index(source(h, tm)) < m_mesh.index(target(h, tm)))
           new_edges.push_back(h);
+    }
     measure_at(new_edges, [&](const halfedge_descriptor h) { return measure_edge(h); },
                [&](const halfedge_descriptor h, const Edge_measurement& measured)
     {
@@ -279,24 +270,18 @@ private:
           continue;
         set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
         for(const Ridge_point& ridge : measured.ridges)
-          m_ridges.push_back({{i, edge_of_reference(m_mesh.reference(), ridge.location)}, ridge.location});
+          m_ridges.add(i, edge_of_reference(m_mesh.reference(), ridge.location), ridge.location);
       }
     });
   }
 
   void measure_ridges()
   {
-    struct Place { int face; Location first, second; };
-    std::vector<Place> places;
-    std::stable_sort(m_ridges.begin(), m_ridges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for(std::size_t i = 0; i < m_ridges.size(); ++i)
-      for(std::size_t j = i; j > 0 && m_ridges[j - 1].first == m_ridges[i].first; --j)
-        places.push_back({m_ridges[i].first.first, m_ridges[j - 1].second, m_ridges[i].second});
-    m_ridges.clear();
-    measure_at(places, [&](const Place& place)
-               { return ridge_point_between(m_mesh, place.first, place.second, m_deviations.faces[place.face].face); },
-               [&](const Place& place, const Ridge_point& ridge)
-               { m_deviations.add(ridge.point, ridge.distance, ridge.location, {place.face}); });
+    const std::vector<Ridge_pairs::Pair> pairs = m_ridges.take_pairs(static_cast<int>(m_is_new.size()), m_mesh.progress());
+    measure_at(pairs, [&](const Ridge_pairs::Pair& pair)
+               { return ridge_point_between(m_mesh, pair.first, pair.second, m_deviations.faces[pair.face].face); },
+               [&](const Ridge_pairs::Pair& pair, const Ridge_point& ridge)
+               { m_deviations.add(ridge.point, ridge.distance, ridge.location, {pair.face}); });
   }
 
   Vector middle(const halfedge_descriptor h) const
@@ -344,6 +329,7 @@ private:
     std::vector<halfedge_descriptor> new_vertices;      // a halfedge to each
     for(const auto v : vertices(tm))
     {
+      m_mesh.give_up_if_stopped();
       if(m_mesh.index(v) == -1 || m_mesh.site(v).curve == -1)
         continue;
       const halfedge_descriptor h = first_remeshed_halfedge(m_mesh, v);
@@ -372,7 +358,8 @@ private:
 
   void measure_peaks()
   {
-    const std::vector<int> high_faces = numbers_of_new_faces([&](const int f)
+    std::vector<int> high_faces;
+    std::copy_if(m_new_faces.begin(), m_new_faces.end(), std::back_inserter(high_faces), [&](const int f)
     {
       if(m_gaps[f].bound() <= m_second_look)
         return false;

@@ -9,15 +9,13 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_GUARDED_MESH_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_GUARDED_MESH_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Clear_ball.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Intersection_guard.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Normal_cone.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Sheet_view.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -49,15 +47,8 @@ public:
   typedef typename Base::vertex_descriptor vertex_descriptor;
   typedef typename Base::halfedge_descriptor halfedge_descriptor;
   typedef typename Base::face_descriptor face_descriptor;
-  typedef std::array<const Vector*, 3> Corners;
 
 private:
-  struct Clear_ball
-  {
-    Vector center, axis;
-    double radius;                      // 0: the ball is clear no more
-  };
-
   // what is known around a vertex
   struct Surroundings
   {
@@ -87,9 +78,9 @@ private:
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
   // than what is clear.
   static constexpr double clearance = 1.25;
-  // Angles to the axis in radians: of the faces that are found in a ball, and the cosine of the angle of those that
-  // may be made there. What is between them is what normals change while chords of the surface are exchanged.
-  static constexpr double largest_angle_found = 1.35, least_cosine_made = 0.1;
+  // Angle to the axis of the faces that are found in a ball, in radians. What is between this and the angle of those
+  // that may be made there is what normals change while chords of the surface are exchanged.
+  static constexpr double largest_angle_found = 1.35;
   // cones are not made narrower: most faces need no change of the cone then
   static constexpr double least_angle = 0.25;
 
@@ -134,10 +125,10 @@ public:
     for(const Triangles* const triangles : {&made, &replaced})
       for(const auto& t : *triangles)
         for(int i = 0; i < 3; ++i)
-          squared_radius = (std::max)(squared_radius, (corner(t, i) - point(center)).squaredNorm());
+          squared_radius = (std::max)(squared_radius, (corner_of(t, i) - point(center)).squaredNorm());
     const int ball = find_ball(center, std::sqrt(squared_radius));
-    return ball != -1 && std::all_of(made.begin(), made.end(), [&](const auto& t)
-                                     { return faces_axis(t, m_balls[ball].axis, least_cosine_made); });
+    return ball != -1
+        && std::all_of(made.begin(), made.end(), [&](const auto& t) { return m_balls[ball].is_faced_by(t); });
   }
 
   // May the one triangles take the place of the others?
@@ -149,8 +140,7 @@ public:
   // same, for who has looked for a clear ball already, with a guard
   bool is_allowed(const vertex_descriptor center, const Numbered_triangles& made, const Numbered_triangles& replaced)
   {
-    note_moved();
-    if(!m_guard->allows(made, replaced, [this](const face_descriptor f) { return triangle(f); }))
+    if(!note_moved() || !m_guard->allows(made, replaced, [this](const face_descriptor f) { return triangle(f); }))
       return false;
     spoil_balls(made, center == Graph_traits::null_vertex());
     return true;
@@ -202,12 +192,16 @@ protected:
   }
 
 private:
-  // each face once, though all of its corners may have moved
-  void note_moved()
+  // Each face once, though all of its corners may have moved. After a stop, for which many that have moved do not let
+  // wait, nothing is allowed any more.
+  bool note_moved()
   {
     ++m_number_of_searches;
+    std::size_t step = 0;
     for(const int number : m_moved)
     {
+      if(this->is_stopped_at(step++))
+        return false;
       m_surroundings[number].is_moved = false;
       if(this->vertex(number) != Graph_traits::null_vertex())
         visit_copies(this->vertex(number), [&](const vertex_descriptor copy)
@@ -218,10 +212,8 @@ private:
         });
     }
     m_moved.clear();
+    return true;
   }
-
-  static const Vector& corner(const Numbered_triangle& t, const int i) { return t.points[i]; }
-  static const Vector& corner(const Corners& t, const int i) { return *t[i]; }
 
   static Vector unit_normal(const Numbered_triangle& t)
   {
@@ -229,29 +221,17 @@ private:
     return n / n.norm();
   }
 
-  template <typename Triangle>
-  static bool faces_axis(const Triangle& t, const Vector& axis, const double least_cosine)
-  {
-    const Vector n = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
-    return n.dot(axis) > least_cosine * n.norm();
-  }
-
-  bool holds(const Clear_ball& ball, const Vector& center, const double radius) const
-  {
-    return ball.radius >= radius && (center - ball.center).squaredNorm() <= CGAL::square(ball.radius - radius);
-  }
-
   // A clear ball that holds the one around v with the radius: that of v, one of its neighbours, or a new one; -1 if
   // there is none, or none worth a search. What is too close to the neighbours for a ball will be too close to v.
   int find_ball(const vertex_descriptor v, const double radius)
   {
     Surroundings& around = m_surroundings[index(v)];
-    if(around.ball != -1 && holds(m_balls[around.ball], point(v), radius))
+    if(around.ball != -1 && m_balls[around.ball].holds(point(v), radius))
       return around.ball;
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
     {
       const Surroundings& other = m_surroundings[index(source(h, tmesh()))];
-      if(other.ball != -1 && other.ball != around.ball && holds(m_balls[other.ball], point(v), radius))
+      if(other.ball != -1 && other.ball != around.ball && m_balls[other.ball].holds(point(v), radius))
         return around.ball = other.ball;
       around.bound = (std::min)(around.bound, other.bound + this->length(h));
     }
@@ -263,7 +243,8 @@ private:
   // no ball was found beside, that of a thin sheet as a rule, the other one is looked for before faces farther away.
   bool search(const vertex_descriptor v, const double radius)
   {
-    note_moved();
+    if(!note_moved())
+      return false;
     const Vector center = point(v);
     const double needed = clearance * radius;
     double clear = reach_of_search * needed;
@@ -381,7 +362,7 @@ private:
         if(number < 0)
           continue;
         const int ball = m_surroundings[number].ball;
-        if(!is_border_moved && (ball == -1 || m_balls[ball].radius == 0. || faces_axis(t, m_balls[ball].axis, least_cosine_made)))
+        if(!is_border_moved && (ball == -1 || m_balls[ball].radius == 0. || m_balls[ball].is_faced_by(t)))
           continue;
         spoil(number);
         visit_copies(this->vertex(number), [&](const vertex_descriptor copy)

@@ -100,6 +100,7 @@ public:
 
   // \name Control
   // for what only reads the mesh
+  Progress progress() const { return Progress([this](double) { return !Base::is_stopped(); }); }
   void give_up_if_stopped() const
   {
     if(is_stopped())
@@ -264,7 +265,7 @@ public:
         hints[i].second =
           m_reference.locator.walk((corners[0] + corners[1] + corners[2]) / 3., hint(hints[i].first)).face;
       };
-    });
+    }, progress());
     for(const std::pair<face_descriptor, int>& entry : hints)
       put(m_hint, entry.first, entry.second);
   }

@@ -80,7 +80,7 @@ bool is_relocation_free(Working_mesh<UserMesh>& mesh,
   const auto center = center_of_disc(mesh, v);
   if(center != Mesh::Graph_traits::null_vertex())
   {
-    boost::container::small_vector<typename Mesh::Corners, 12> moved;
+    boost::container::small_vector<Corner_points, 12> moved;
     for(const auto h : CGAL::halfedges_around_target(v, tm))
       moved.push_back({{&mesh.point(source(h, tm)), &site.point, &mesh.point(target(next(h, tm), tm))}});
     if(mesh.is_clear(center, moved, moved))
