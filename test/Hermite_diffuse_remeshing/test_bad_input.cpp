@@ -119,8 +119,9 @@ Surface_mesh grid(const int n, const double height)
   return make_mesh<Surface_mesh>(t);
 }
 
-// Splits an inner edge at a point and joins it to the two opposite vertices.
-Surface_mesh::Vertex_index split_at(Surface_mesh& mesh, const Surface_mesh::Halfedge_index h, const Point_3& p)
+// Splits an inner edge at a point and joins it to the two opposite vertices. The point may be one of the mesh, which
+// moves its points when it grows.
+Surface_mesh::Vertex_index split_at(Surface_mesh& mesh, const Surface_mesh::Halfedge_index h, const Point_3 p)
 {
   const auto o = mesh.opposite(h);
   const auto first = CGAL::Euler::split_edge(h, mesh);
