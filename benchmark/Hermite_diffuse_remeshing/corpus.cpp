@@ -5,13 +5,12 @@
 //   corpus FOLDER [largest size of a file in bytes] [part of the diagonal]
 
 #include "../../examples/Hermite_diffuse_remeshing/report_output.h"
+#include "../../test/Hermite_diffuse_remeshing/mesh_measures.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_features.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
@@ -52,13 +51,6 @@ struct Time_limit
     return ++number_of_questions % questions_per_look == 0 && timer.time() > largest && seconds() > largest;
   }
 };
-
-std::size_t number_of_intersections(const Mesh& mesh)
-{
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > pairs;
-  PMP::self_intersections(faces(mesh), mesh, std::back_inserter(pairs));
-  return pairs.size();
-}
 
 // with the classification of the package
 std::set<Kernel::Point_3> corners(const Mesh& mesh)
@@ -143,9 +135,7 @@ int main(int argc, char** argv)
       continue;
     }
     PMP::triangulate_faces(mesh);
-    const CGAL::Bbox_3 box = PMP::bbox(mesh);
-    const double diagonal = std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
-                                      + CGAL::square(box.zmax() - box.zmin()));
+    const double diagonal = diagonal_of_box(mesh);
     const std::size_t intersections_before = number_of_intersections(mesh);
     const long characteristic = euler_characteristic(mesh);
     try

@@ -5,12 +5,12 @@
 //   deviation_contract [--sampled] [part of the name [seconds [part of the diagonal]...]]
 
 #include "../../test/Hermite_diffuse_remeshing/make_mesh.h"
+#include "../../test/Hermite_diffuse_remeshing/mesh_measures.h"
 #include "../../test/Hermite_diffuse_remeshing/sampled_model.h"
 #include "../../test/Hermite_diffuse_remeshing/sized_surfaces.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Real_timer.h>
@@ -45,9 +45,7 @@ double distance(const Mesh& a, const Mesh& b, const double tolerance, const bool
 
 void run(const std::string& name, const Mesh& input)
 {
-  const CGAL::Bbox_3 box = PMP::bbox(input);
-  const double diagonal = std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
-                                    + CGAL::square(box.zmax() - box.zmin()));
+  const double diagonal = diagonal_of_box(input);
   for(const double part : parts)
   {
     const double bound = part * diagonal;

@@ -13,6 +13,7 @@
 
 #include "../../test/Hermite_diffuse_remeshing/analytic_surfaces.h"
 #include "../../test/Hermite_diffuse_remeshing/make_mesh.h"
+#include "../../test/Hermite_diffuse_remeshing/mesh_measures.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -20,7 +21,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Memory_sizer.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
@@ -126,9 +126,7 @@ std::pair<double, double> distances(const Mesh& from, const Mesh& to)
   for(const K::Point_3& p : samples)
     squares.push_back(tree.squared_distance(p));
   std::sort(squares.begin(), squares.end());
-  const CGAL::Bbox_3 box = PMP::bbox(to);
-  const double diagonal = std::sqrt(CGAL::squared_distance(K::Point_3(box.xmin(), box.ymin(), box.zmin()),
-                                                           K::Point_3(box.xmax(), box.ymax(), box.zmax())));
+  const double diagonal = diagonal_of_box(to);
   return std::make_pair(std::sqrt(squares[squares.size() - squares.size() / 1000 - 1]) / diagonal,
                         std::sqrt(squares.back()) / diagonal);
 }

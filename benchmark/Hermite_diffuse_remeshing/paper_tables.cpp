@@ -9,6 +9,7 @@
 // housing of blocks, bosses and bores (Table IV), with the slivers that cutting surfaces by each other leaves.
 
 #include "../../examples/Hermite_diffuse_remeshing/report_output.h"
+#include "../../test/Hermite_diffuse_remeshing/mesh_measures.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -16,7 +17,6 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
@@ -165,13 +165,6 @@ Mesh make_gearbox()
     for(const double y : {0.61, 3.38})
       cut(mesh, make_upright_cylinder(x, y, 0.16, -0.5, 1.));                        // bolts
   return mesh;
-}
-
-std::size_t number_of_intersections(const Mesh& mesh)
-{
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index> > pairs;
-  PMP::self_intersections(faces(mesh), mesh, std::back_inserter(pairs));
-  return pairs.size();
 }
 
 void print_rows(const std::string& name, const Mesh& input, const std::vector<double>& errors)

@@ -5,10 +5,10 @@
 //   stop_latency [FILE [approximation error [part of the diagonal]]]
 
 #include "../../test/Hermite_diffuse_remeshing/analytic_surfaces.h"
+#include "../../test/Hermite_diffuse_remeshing/mesh_measures.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
@@ -87,9 +87,7 @@ int main(int argc, char** argv)
   }
   std::cout << input.number_of_faces() << " faces\n";
   const double error = argc > 2 ? std::atof(argv[2]) : 0.001;
-  const CGAL::Bbox_3 box = PMP::bbox(input);
-  const double deviation = (argc > 3 ? std::atof(argv[3]) : 5e-5)
-                         * std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
+  const double deviation = (argc > 3 ? std::atof(argv[3]) : 5e-5) * diagonal_of_box(input);
   const auto parameters = [=](Visitor& visitor)
   { return CGAL::parameters::approximation_error(error).maximum_deviation(deviation).visitor(std::ref(visitor)); };
   Visitor watching;

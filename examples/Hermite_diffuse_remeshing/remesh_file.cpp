@@ -50,6 +50,7 @@ struct Options
   boost::optional<double> approximation_error, elements_per_circle, angle_per_element, sagitta_over_length;
   double sagitta = std::numeric_limits<double>::infinity();
   double maximum_deviation = std::numeric_limits<double>::infinity();
+  double maximum_displacement = std::numeric_limits<double>::infinity();
   double minimum_edge_length = 0.;
   double maximum_edge_length = 0.;
   double gradation = 1.3;
@@ -89,6 +90,8 @@ po::options_description visible_options(Options& o)
     ("sagitta", number(o.sagitta, "L"), "distance of an edge to its arc")
     ("maximum-deviation", number(o.maximum_deviation, "D"),
      "largest distance to the model of the input (no bound)")
+    ("maximum-displacement", number(o.maximum_displacement, "D"),
+     "largest distance of the model to the facets of the input (no bound)")
     ("minimum-edge-length", number(o.minimum_edge_length, "L"),
      "lower bound of the sizes (0.0001 of the diameter)")
     ("maximum-edge-length", number(o.maximum_edge_length, "L"),
@@ -249,6 +252,7 @@ auto size_parameters(const Options& o)
     .approximation_error(approximation_error(o))
     .sagitta(o.sagitta)
     .maximum_deviation(o.maximum_deviation)
+    .maximum_displacement(o.maximum_displacement)
     .minimum_edge_length(o.minimum_edge_length)
     .maximum_edge_length(o.maximum_edge_length)
     .gradation(o.gradation)

@@ -98,7 +98,7 @@ public:
    * @param tmesh the mesh; it must outlive the surface, without changes of its faces
    * @param np an optional sequence of named parameters among `sharp_dihedral_angle`, `corner_angle`,
    *        `apex_angular_defect`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
-   *        `face_patch_map`, `polynomial_degree`, `hermite_weight`, `normal_estimation`,
+   *        `face_patch_map`, `maximum_displacement`, `polynomial_degree`, `hermite_weight`, `normal_estimation`,
    *        `vertex_point_map` and `geom_traits`, with the meaning and the defaults that they have for
    *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, and
    *        <ul>
@@ -149,18 +149,19 @@ public:
     return to_vector(evaluate(location).normal());
   }
 
-  /// returns the principal curvatures at a location, larger first, in one over the unit of length.
+  /// returns the principal curvatures at a location, larger first, in one over the unit of length, whatever
+  /// `maximum_displacement` is.
   std::pair<FT, FT> principal_curvatures(const Face_location& location) const
   {
-    const std::pair<double, double> k = evaluate(location).monge_form().curvatures();
+    const std::pair<double, double> k = evaluate_unbounded(location).monge_form().curvatures();
     return std::make_pair(FT(k.first), FT(k.second));
   }
 
-  /// returns the principal curvatures and their directions at a location.
+  /// returns the principal curvatures and their directions at a location, whatever `maximum_displacement` is.
   Principal_curvatures_and_directions
   principal_curvatures_and_directions(const Face_location& location) const
   {
-    const auto k = evaluate(location).monge_form().principal_curvatures();
+    const auto k = evaluate_unbounded(location).monge_form().principal_curvatures();
     return {FT(k.maximum), FT(k.minimum), to_vector(k.maximum_direction), to_vector(k.minimum_direction)};
   }
   /// @}
@@ -208,6 +209,10 @@ private:
   Hermite_diffuse_remeshing::internal::Local_quadric evaluate(const Face_location& location) const
   {
     return m_model->surface.evaluate(from_face_location(location));
+  }
+  Hermite_diffuse_remeshing::internal::Local_quadric evaluate_unbounded(const Face_location& location) const
+  {
+    return m_model->surface.evaluate_unbounded(from_face_location(location));
   }
 
   Location from_face_location(const Face_location& location) const

@@ -4,8 +4,9 @@
 // Feature curves of a mesh and of what it was remeshed to: the edges of the one against the edges of the other, and
 // against the splines through the vertices of the input, to which the error law refers.
 
+#include "mesh_measures.h"
+
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_features.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
@@ -143,9 +144,7 @@ Fidelity measure(const Mesh& input, Mesh& output, const double error, const Name
                                         .vertex_size_map(after.sizes));
 
   Fidelity result;
-  const CGAL::Bbox_3 box = PMP::bbox(input);
-  result.diagonal = std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
-                              + CGAL::square(box.zmax() - box.zmin()));
+  result.diagonal = diagonal_of_box(input);
   std::set<Point> points;
   for(const auto v : vertices(output))
     points.insert(output.point(v));

@@ -474,6 +474,7 @@ int main()
   {
     expect_refusal(cube, params::approximation_error(bad), "approximation_error");
     expect_refusal(cube, params::maximum_deviation(bad), "maximum_deviation");
+    expect_refusal(cube, params::maximum_displacement(bad), "maximum_displacement");
     expect_refusal(cube, params::minimum_edge_length(bad), "minimum_edge_length");
     expect_refusal(cube, params::maximum_edge_length(bad), "maximum_edge_length");
     expect_refusal(cube, params::gradation(bad), "gradation");

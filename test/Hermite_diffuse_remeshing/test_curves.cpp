@@ -93,6 +93,34 @@ void test_zigzag()
   }
 }
 
+// the spline stays within a bound of its chords, with the curvatures of the chain
+void test_bounded_distance()
+{
+  constexpr int n = 12;
+  constexpr double radius = 3.;
+  const Feature_spline free(circle(n, radius), true);
+  const double sagitta = radius * (1. - std::cos(analytic::pi / n));
+  for(const double bound : {0., 0.2 * sagitta, sagitta, 100. * sagitta})
+  {
+    const Feature_spline spline(circle(n, radius), true, {{1., 1.}}, Saturation(bound));
+    double largest = 0.;
+    for(int i = 0; i <= 50 * n; ++i)
+    {
+      const double s = spline.length() * i / (50. * n);
+      const double middle = 2. * analytic::pi / n * (std::floor((i + 0.5) / 50.) + 0.5);
+      const double distance_to_chord = spline.point(s).dot(Vector(std::cos(middle), std::sin(middle), 0.))
+                                     - (radius - sagitta);
+      largest = (std::max)(largest, distance_to_chord);
+      assert(distance_to_chord >= -1e-9 && distance_to_chord <= bound + 1e-9);
+      assert(std::abs(spline.curvature(s) - free.curvature(s)) < 1e-12);
+      if(bound > 10. * sagitta)
+        assert((spline.point(s) - free.point(s)).norm() < 1e-8 * radius);
+    }
+    const double expected = bound > 0. ? sagitta / std::pow(1. + std::pow(sagitta / bound, 4), 0.25) : 0.;
+    assert(std::abs(largest - expected) < 1e-3 * sagitta);
+  }
+}
+
 // a loop without corner becomes two curves of equal length
 void test_chaining()
 {
@@ -127,6 +155,7 @@ int main()
   test_arc();
   test_slot();
   test_zigzag();
+  test_bounded_distance();
   test_chaining();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

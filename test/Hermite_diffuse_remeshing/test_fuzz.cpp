@@ -242,8 +242,11 @@ public:
       .maximum_edge_length(chance(0.2) ? length * power_of_ten(-3., 1.) : 0.)
       .edge_is_constrained_map(is_constrained).vertex_is_constrained_map(is_corner).face_patch_map(label)
       .protect_constraints(chance(0.5)).number_of_iterations(1 + below(10)).maximum_number_of_faces(budget);
-    return chance(0.2) ? PMP::hermite_diffuse_remesh(selected, mesh, np.size_field(field))
-                       : PMP::hermite_diffuse_remesh(selected, mesh, np);
+    const bool has_field = chance(0.2);
+    const auto bounded = np.maximum_displacement(chance(0.8) ? std::numeric_limits<double>::infinity()
+                                                             : chance(0.3) ? 0. : length * power_of_ten(-9., 0.));
+    return has_field ? PMP::hermite_diffuse_remesh(selected, mesh, bounded.size_field(field))
+                     : PMP::hermite_diffuse_remesh(selected, mesh, bounded);
   }
 };
 

@@ -216,36 +216,106 @@ void test_continuity()
   bool ok = true;
   for(const int i : {1, 5, 7})
     for(const int degree : {2, 3, 4})
+      for(const double bound : {std::numeric_limits<double>::infinity(), 1e-4})
+      {
+        Model_options options;
+        options.degree = degree;
+        options.maximum_displacement = bound;
+        const auto model = make_model(indexed(s[i].mesh(2000, 1)), options);
+        const Cut_mesh& cut_mesh = model->surface.cut_mesh();
+        const Indexed_triangles& triangles = model->surface.triangles();
+        analytic::Random random(1);
+        double jump = 0., turn = 0.;
+        for(int f = 0; f < triangles.number_of_faces(); ++f)
+          for(int k = 0; k < 3; ++k)
+          {
+            const int g = cut_mesh.neighbor(f, k);
+            if(g < f)
+              continue;
+            const double u = random(0., 1.);
+            Location a = {f, {{0., 0., 0.}}}, b = {g, {{0., 0., 0.}}};
+            a.coordinates[k] = 1. - u;
+            a.coordinates[next(k)] = u;
+            for(int j = 0; j < 3; ++j)
+              for(const int l : {k, next(k)})
+                if(triangles.triangles[g][j] == triangles.triangles[f][l])
+                  b.coordinates[j] = a.coordinates[l];
+            const Local_quadric p = model->surface.evaluate(a), q = model->surface.evaluate(b);
+            jump = (std::max)(jump, (p.point() - q.point()).norm() / p.size);
+            turn = (std::max)(turn, angle_between(p.normal(), q.normal()));
+          }
+        // both faces of an edge compute the same: not a rounding of difference
+        ok = is_at_most(s[i].name + ", jump", jump, 0.) && ok;
+        // where the surface follows the facets it has their edges
+        if(!model->surface.saturation().is_bounded())
+          ok = is_at_most(s[i].name + ", turn", turn, 1e-15) && ok;
+      }
+  assert(ok);
+}
+
+// Heights over the facets saturate at the bound; the quadric tells how, to the second order.
+void test_maximum_displacement()
+{
+  // a quadric over a facet, in a frame that is not normal to it
+  Local_quadric q;
+  q.origin = Vector(0.3, -0.2, 0.5);
+  q.x_axis = Vector(1., 0., 0.);
+  q.y_axis = Vector(0., 1., 0.);
+  q.z_axis = Vector(0., 0., 1.);
+  q.size = 0.7;
+  q.a = {{0.21, 0.15, -0.08, 0.5, 0.3, -0.4}};
+  const double slope_x = 0.2, slope_y = -0.3, height = 0.04;
+  const Vector on_facet = q.origin + q.size * height * q.z_axis;
+  const Saturation saturation(0.11);
+  const Local_quadric bounded = q.saturated(on_facet, Vector(-slope_x, -slope_y, 1.), saturation);
+  const auto value = [](const Local_quadric& r, const double x, const double y)
+  { return r.a[0] + r.a[1] * x + r.a[2] * y + r.a[3] * x * x + r.a[4] * x * y + r.a[5] * y * y; };
+  double previous = 0.;
+  for(const double step : {1e-2, 5e-3})
+  {
+    double error = 0.;
+    for(int i = 0; i < 16; ++i)
+    {
+      const double x = step * std::cos(0.4 * i), y = step * std::sin(0.4 * i);
+      const double facet = height + slope_x * x + slope_y * y;
+      const double expected = facet + saturation(q.size * (value(q, x, y) - facet)).height / q.size;
+      error = (std::max)(error, std::abs(value(bounded, x, y) - expected));
+    }
+    assert(previous == 0. || std::log2(previous / error) > 2.8);
+    previous = error;
+  }
+
+  bool ok = true;
+  for(const int i : {1, 5, 7})
+  {
+    const Indexed_triangles triangles = indexed(analytic::all_test_surfaces()[i].mesh(2000, 1));
+    const auto free = make_model(triangles);
+    const auto largest_height = [&](const Reference_surface& surface)
+    {
+      double largest = 0.;
+      for(int f = 0; f < triangles.number_of_faces(); ++f)
+      {
+        const Location at = {f, {{0.2, 0.3, 0.5}}};
+        largest = (std::max)(largest, (surface.evaluate(at).point() - triangles.point(at)).norm());
+      }
+      return largest;
+    };
+    const double height = largest_height(free->surface);
+    for(const double part : {0., 0.3, 1e3})
     {
       Model_options options;
-      options.degree = degree;
-      const auto model = make_model(indexed(s[i].mesh(2000, 1)), options);
-      const Cut_mesh& cut_mesh = model->surface.cut_mesh();
-      const Indexed_triangles& triangles = model->surface.triangles();
-      analytic::Random random(1);
-      double jump = 0., turn = 0.;
-      for(int f = 0; f < triangles.number_of_faces(); ++f)
-        for(int k = 0; k < 3; ++k)
-        {
-          const int g = cut_mesh.neighbor(f, k);
-          if(g < f)
-            continue;
-          const double u = random(0., 1.);
-          Location a = {f, {{0., 0., 0.}}}, b = {g, {{0., 0., 0.}}};
-          a.coordinates[k] = 1. - u;
-          a.coordinates[next(k)] = u;
-          for(int j = 0; j < 3; ++j)
-            for(const int l : {k, next(k)})
-              if(triangles.triangles[g][j] == triangles.triangles[f][l])
-                b.coordinates[j] = a.coordinates[l];
-          const Local_quadric p = model->surface.evaluate(a), q = model->surface.evaluate(b);
-          jump = (std::max)(jump, (p.point() - q.point()).norm() / p.size);
-          turn = (std::max)(turn, angle_between(p.normal(), q.normal()));
-        }
-      // both faces of an edge compute the same: not a rounding of difference
-      ok = is_at_most(s[i].name + ", jump", jump, 0.) && ok;
-      ok = is_at_most(s[i].name + ", turn", turn, 1e-15) && ok;
+      options.maximum_displacement = part * height;
+      const auto model = make_model(triangles, options);
+      const double expected = part == 0. ? 0. : height / std::pow(1. + std::pow(part, -4.), 0.25);
+      ok = is_at_most("displacement", largest_height(model->surface), expected * (1. + 1e-12)) && ok;
+      ok = is_at_least("displacement", largest_height(model->surface), expected * (1. - 1e-12)) && ok;
+      for(int f = 0; f < triangles.number_of_faces(); f += 10)
+      {
+        const Location at = {f, {{0.2, 0.3, 0.5}}};
+        assert(model->surface.evaluate_unbounded(at).a == free->surface.evaluate(at).a);
+      }
     }
+  }
   assert(ok);
 }
 
@@ -616,6 +686,7 @@ int main()
   test_reproduction<3>();
   test_reproduction<4>();
   test_plane();
+  test_maximum_displacement();
   test_interpolation();
   test_continuity();
   test_invariance();

@@ -1,8 +1,8 @@
+#include "mesh_measures.h"
 #include "test_helpers.h"
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Hermite_diffuse_remeshing/Attribute_transfer.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Polyhedron_3.h>
@@ -348,9 +348,7 @@ void test_folded_border()
 {
   std::cout << "folded border" << std::endl;
   const Surface_mesh input = read_data<Surface_mesh>("mech-holes-shark.off");
-  const CGAL::Bbox_3 box = PMP::bbox(input);
-  const double diagonal = std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
-                                    + CGAL::square(box.zmax() - box.zmin()));
+  const double diagonal = diagonal_of_box(input);
   Surface_mesh output = input;
   const auto report = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.02)
     .maximum_deviation(0.001 * diagonal).minimum_edge_length(0.003 * diagonal).maximum_edge_length(0.1 * diagonal));
@@ -374,6 +372,33 @@ void test_maximum_deviation()
                        .maximum_deviation(1e-5).minimum_edge_length(0.1).maximum_edge_length(0.2));
   assert(!other.is_maximum_deviation_met && !other.faces_above_maximum_deviation.empty());
   assert(other.largest_deviation > 1e-5);
+}
+
+// The result stays that close to the facets, with the sizes of the smooth surface.
+void test_maximum_displacement(const Surface_mesh& input)
+{
+  std::cout << "maximum displacement" << std::endl;
+  const double length = diagonal_of_box(input), deviation = 1e-3 * length;
+  const auto sizes = params::approximation_error(0.05).gradation(2.);
+  Surface_mesh free = input;
+  const auto without = PMP::hermite_diffuse_remesh(free, sizes);
+  for(const double bound : {0., 2e-4 * length, 2e-3 * length})
+  {
+    Surface_mesh bounded = input;
+    const auto report = PMP::hermite_diffuse_remesh(bounded, sizes.maximum_displacement(bound));
+    std::cout << "  " << report.number_of_faces << " faces instead of " << without.number_of_faces << std::endl;
+    assert(std::abs(double(report.number_of_faces) / double(without.number_of_faces) - 1.) < 0.1);
+
+    Surface_mesh close = input;
+    const auto contract = PMP::hermite_diffuse_remesh(close, sizes.maximum_displacement(bound)
+                                                                  .maximum_deviation(deviation));
+    check_result(input, close);
+    assert(contract.is_maximum_deviation_met);
+    const double rounding = 1e-12 * length;
+    assert(contract.distance_of_model_from_input <= bound + rounding);
+    assert(largest_distance(close, input) <= bound + deviation);
+    assert(largest_distance(input, close) <= bound + deviation);
+  }
 }
 
 void test_size_field()
@@ -639,6 +664,8 @@ int main(int argc, char** argv)
   test_close_corners();
   test_folded_border();
   test_maximum_deviation();
+  test_maximum_displacement(read_data<Surface_mesh>("elephant.off"));
+  test_maximum_displacement(read_data<Surface_mesh>("fandisk.off"));
   test_size_field();
   test_visitor();
   test_output_maps();

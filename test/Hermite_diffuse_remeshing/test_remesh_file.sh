@@ -107,6 +107,7 @@ bad_option)
   refused --predict
   refused_with maximum-number-of-faces cup.off out.off --maximum-number-of-faces many
   refused_with maximum_deviation cup.off out.off --maximum-deviation -1
+  refused_with maximum_displacement cup.off out.off --maximum-displacement -1
   refused_with minimum_edge_length cup.off out.off --minimum-edge-length nan
   refused_with maximum_edge_length cup.off out.off --maximum-edge-length -2
   refused_with sharp_dihedral_angle cup.off out.off --sharp-angle -10

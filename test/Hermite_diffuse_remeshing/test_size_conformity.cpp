@@ -2,13 +2,13 @@
 // faces is the predicted one. The largest deviation that is asked for is met, or reported as not met with the
 // faces and the reasons; and what is reported is what CGAL measures.
 
+#include "mesh_measures.h"
 #include "sampled_model.h"
 #include "sized_surfaces.h"
 #include "test_helpers.h"
 
 #include <CGAL/Hermite_diffuse_remeshing/Size_fields.h>
 #include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
-#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 
 #include <algorithm>
@@ -86,17 +86,10 @@ void test_fields()
   check_field(HDR::minimum_size_field(at_point, along_plane), both);
 }
 
-double diagonal(const Surface_mesh& mesh)
-{
-  const CGAL::Bbox_3 box = PMP::bbox(mesh);
-  return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
-                   + CGAL::square(box.zmax() - box.zmin()));
-}
-
 // `part`: of the diagonal
 void test_contract(const Surface_mesh& input, const double part, const double least_quality)
 {
-  const double bound = part * diagonal(input);
+  const double bound = part * diagonal_of_box(input);
   const auto parameters = params::approximation_error(0.1).maximum_deviation(bound);
   Surface_mesh mesh = input;
   const auto report = PMP::hermite_diffuse_remesh(mesh, parameters);
@@ -125,7 +118,7 @@ void test_contract(const Surface_mesh& input, const double part, const double le
 void test_ridges()
 {
   const Surface_mesh input = read_data<Surface_mesh>("joint.off");
-  const double bound = 2e-4 * diagonal(input);
+  const double bound = 2e-4 * diagonal_of_box(input);
   const auto parameters = params::maximum_deviation(bound);
   Surface_mesh mesh = input;
   const auto report = PMP::hermite_diffuse_remesh(mesh, parameters);

@@ -20,6 +20,7 @@
 #define CGAL_HDR_OWN_PARAMETERS(ADD)                                              \
   ADD(approximation_error_t, approximation_error, approximation_error)           \
   ADD(maximum_deviation_t, maximum_deviation, maximum_deviation)                 \
+  ADD(maximum_displacement_t, maximum_displacement, maximum_displacement)        \
   ADD(minimum_edge_length_t, minimum_edge_length, minimum_edge_length)           \
   ADD(maximum_edge_length_t, maximum_edge_length, maximum_edge_length)           \
   ADD(size_field_t, size_field, size_field)                                      \

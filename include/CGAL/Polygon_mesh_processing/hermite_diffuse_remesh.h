@@ -93,6 +93,15 @@ namespace Polygon_mesh_processing {
  *     \cgalParamType{`double`, a length, larger than 0}
  *     \cgalParamDefault{infinity}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{maximum_displacement}
+ *     \cgalParamDescription{largest distance of the points of the fitted surface from the facets of the input, and of
+ *       its feature curves from the edges: what the fit says of the distance \f$ h \f$ becomes
+ *       \f$ h / (1 + (h/b)^4)^{1/4} \f$ with this bound \f$ b \f$. The sizes are still those of the surface
+ *       without the bound. With 0 all vertices of the result lie on the facets. The distance of the result from the
+ *       input is at most the sum of this and of the deviation.}
+ *     \cgalParamType{`double`, a length, at least 0}
+ *     \cgalParamDefault{infinity}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{minimum_edge_length}
  *     \cgalParamDescription{lower bound of the sizes}
  *     \cgalParamType{`double`, a length, at least 0; 0 means the default}

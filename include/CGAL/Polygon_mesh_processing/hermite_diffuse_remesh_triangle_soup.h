@@ -156,8 +156,9 @@ namespace Polygon_mesh_processing {
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{approximation_error, sagitta, elements_per_circle, angle_per_element, sagitta_over_length,
- *     maximum_deviation, minimum_edge_length, maximum_edge_length, size_field, gradation, sharp_dihedral_angle,
- *     corner_angle, apex_angular_defect, polynomial_degree, hermite_weight, normal_estimation, surface_model,
+ *     maximum_deviation, maximum_displacement, minimum_edge_length, maximum_edge_length, size_field, gradation,
+ *     sharp_dihedral_angle, corner_angle, apex_angular_defect, polynomial_degree, hermite_weight, normal_estimation,
+ *     surface_model,
  *     number_of_iterations, maximum_number_of_faces, maximum_running_time, protect_constraints,
  *     do_self_intersection_tests}
  *     \cgalParamDescription{as for `hermite_diffuse_remesh()`; a size field that asks for a face gets the index of a

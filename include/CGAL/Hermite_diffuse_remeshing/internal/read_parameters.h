@@ -63,6 +63,9 @@ Model_options read_model_options(const Pack& pack)
                                      is_of_paper ? AREA_NORMALS : FITTED_NORMALS);
   if(is_of_paper || options.normals == SMOOTH_NORMALS)
     options.exponent = 1;                // the paper's; also averages the noise of the positions
+  options.maximum_displacement = choose_parameter(get_parameter(pack, internal_np::maximum_displacement),
+                                                  options.maximum_displacement);
+  check_parameter("maximum_displacement", options.maximum_displacement, 0., std::numeric_limits<double>::infinity());
   return options;
 }
 

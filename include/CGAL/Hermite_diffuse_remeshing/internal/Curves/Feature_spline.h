@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CURVES_FEATURE_SPLINE_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_CURVES_FEATURE_SPLINE_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Curves/Saturation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/find_straight_segments.h>
 
 #include <algorithm>
@@ -25,6 +26,7 @@ namespace internal {
 // circle give the circle to the sixth order of the angle; at an end the circle's tangent there.
 // Where no arc is credible the segment is straight, and its neighbours become tangent to it; where that would make
 // one of them turn too much, it is straight, too: the chain is a polyline there.
+// The distance of the points to those of the chords may be bounded; the curvatures stay those of the chain.
 class Feature_spline
 {
   struct Segment
@@ -37,12 +39,15 @@ class Feature_spline
   std::vector<Segment> m_segments;
   std::vector<double> m_parameters;            // at the points; one more than segments
   std::vector<double> m_curvatures;            // at the points
+  Saturation m_saturation;                     // of the distance to the chords
 
 public:
   // `is_closed`: the last point is joined to the first, which is not repeated. `turns_of_ends`: the first and the last
   // segment of an open spline turn by no more than that.
   Feature_spline(const std::vector<Vector>& points, const bool is_closed,
-                 const std::array<double, 2>& turns_of_ends = {{largest_credible_turn, largest_credible_turn}})
+                 const std::array<double, 2>& turns_of_ends = {{largest_credible_turn, largest_credible_turn}},
+                 const Saturation& saturation = Saturation())
+    : m_saturation(saturation)
   {
     const Polyline line(points, is_closed);
     const int ns = line.number_of_segments();
@@ -75,6 +80,7 @@ public:
     : m_segments(other.m_segments.begin() + first, other.m_segments.begin() + last)
     , m_parameters(other.m_parameters.begin() + first, other.m_parameters.begin() + last + 1)
     , m_curvatures(other.m_curvatures.begin() + first, other.m_curvatures.begin() + last + 1)
+    , m_saturation(other.m_saturation)
   {
     const double offset = m_parameters.front();
     for(double& s : m_parameters)
@@ -99,7 +105,13 @@ public:
   Vector point(const double s) const
   {
     const std::pair<int, double> at = segment(s);
-    return point(m_segments[at.first], at.second);
+    const Segment& segment = m_segments[at.first];
+    const Vector p = point(segment, at.second);
+    if(!m_saturation.is_bounded() || segment.is_straight)
+      return p;
+    const Vector on_chord = (1. - at.second) * segment.start + at.second * segment.end, displacement = p - on_chord;
+    const double distance = displacement.norm();
+    return distance > 0. ? Vector(on_chord + m_saturation(distance).height / distance * displacement) : p;
   }
 
   double curvature(const double s) const

@@ -94,10 +94,12 @@ inline int middle_vertex(const std::vector<int>& vertices, const Indexed_triangl
 } // namespace chaining
 
 // Chains the feature edges between corners. A closed chain becomes two curves of about equal length;
-// the vertices where it is cut become corners (paper, section 4.2).
+// the vertices where it is cut become corners (paper, section 4.2). `saturation`: of the distance of the splines
+// to the edges.
 inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, const Edge_table& edges,
                                           const std::vector<Edge_class>& edge_classes,
-                                          std::vector<Vertex_class>& vertex_classes)
+                                          std::vector<Vertex_class>& vertex_classes,
+                                          const Saturation& saturation = Saturation())
 {
   Feature_curves result;
   result.curve_of_edge.assign(edges.number_of_edges(), -1);
@@ -167,7 +169,7 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
       points.push_back(surface.points[vs[i]]);
     const std::array<double, 2> turns_of_ends = {{largest_turn(vs.front(), es.front()),
                                                   largest_turn(vs.back(), es.back())}};
-    const Feature_spline spline(points, is_smooth_loop, turns_of_ends);
+    const Feature_spline spline(points, is_smooth_loop, turns_of_ends, saturation);
     if(!is_loop)
       return store(vs, es, spline, 0, last);
     const int middle = chaining::middle_vertex(vs, surface);

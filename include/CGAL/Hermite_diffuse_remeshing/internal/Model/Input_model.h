@@ -74,7 +74,8 @@ private:
     progress(before_curves);
     vertex_classes = classify_vertices(triangles, edges, edge_classes, cut_mesh, features.corner_angle,
                                        features.apex_defect, is_vertex_constrained);
-    curves = chain_feature_edges(triangles, edges, edge_classes, vertex_classes);
+    curves = chain_feature_edges(triangles, edges, edge_classes, vertex_classes,
+                                 Saturation(options.maximum_displacement));
     progress(before_fit);
     return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options, vertex_normals,
                              progress.part(before_fit, before_search_tree));

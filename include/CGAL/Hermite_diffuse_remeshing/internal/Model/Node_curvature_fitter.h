@@ -55,7 +55,7 @@ public:
 private:
   Monge_form evaluated(const int node) const
   {
-    return m_surface.evaluate(m_surface.location_of_node(node)).monge_form();
+    return m_surface.evaluate_unbounded(m_surface.location_of_node(node)).monge_form();
   }
 
   template <int Degree>

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_SURFACE_H
 
 #include <CGAL/Hermite_diffuse_remeshing/Model_choices.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Curves/Saturation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/interpolation_weights.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/node_normals.h>
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,7 @@ struct Model_options
                                                       // not determined, see `soft_degree()`
   bool is_solved_at_centroids = false;                // the paper's: one polynomial of degree 2 per face,
                                                       // which jumps across edges
+  double maximum_displacement = std::numeric_limits<double>::infinity();   // of points over the facets
   bool is_parallel = false;                           // with threads of TBB, where it is linked
 };
 
@@ -62,6 +65,24 @@ struct Local_quadric
     return result;
   }
 
+  // The same quadric with its height over a facet bounded: the facet goes through p, the foot of which is the origin.
+  Local_quadric saturated(const Vector& p, const Vector& facet_normal, const Saturation& saturation) const
+  {
+    const double height = (p - origin).dot(z_axis) / size, nz = facet_normal.dot(z_axis);
+    // of a facet that the frame does not see from above the slope says nothing
+    constexpr double least_cosine = 0.2;
+    const bool is_seen = nz > least_cosine * facet_normal.norm();
+    const double p_x = is_seen ? -facet_normal.dot(x_axis) / nz : 0.;
+    const double p_y = is_seen ? -facet_normal.dot(y_axis) / nz : 0.;
+    const Saturation::Value bounded = saturation(size * (a[0] - height));
+    const double over_x = a[1] - p_x, over_y = a[2] - p_y, c = size * bounded.curvature / 2.;
+    Local_quadric result = *this;
+    result.a = {{height + bounded.height / size, p_x + bounded.slope * over_x, p_y + bounded.slope * over_y,
+                 bounded.slope * a[3] + c * over_x * over_x, bounded.slope * a[4] + 2. * c * over_x * over_y,
+                 bounded.slope * a[5] + c * over_y * over_y}};
+    return result;
+  }
+
   Monge_form monge_form() const
   {
     return {x_axis, y_axis, z_axis, a[1], a[2], 2. * a[3] / size, a[4] / size, 2. * a[5] / size};
@@ -70,7 +91,8 @@ struct Local_quadric
 
 // The frozen copy of the input with its nodes: the Hermite diffuse interpolation, evaluated anew at
 // every query in a frame that is blended from the corners' normals. The evaluated surface is
-// continuous across edges to rounding and interpolates the nodes and their normals.
+// continuous across edges to rounding and interpolates the nodes and their normals. Its heights over the facets may
+// be bounded.
 class Reference_surface
 {
   Indexed_triangles m_triangles;
@@ -132,9 +154,20 @@ public:
 
   Local_quadric evaluate(const Location& location) const
   {
+    Local_quadric result = evaluate_unbounded(location);
+    if(saturation().is_bounded())
+      result = result.saturated(m_triangles.point(location), m_triangles.area_vector(location.face), saturation());
+    return result;
+  }
+
+  // Whatever the bound of the heights: this is what the facets stand for, of which curvatures are asked.
+  Local_quadric evaluate_unbounded(const Location& location) const
+  {
     return m_quadrics.empty() ? solve(location)
                               : m_quadrics[location.face].expanded_at(m_triangles.point(location));
   }
+
+  Saturation saturation() const { return Saturation(m_options.maximum_displacement); }
 
 private:
   // from 0 to 1

@@ -102,7 +102,7 @@ public:
   // of the surface
   double largest_curvature(const Location& location) const
   {
-    const std::pair<double, double> k = m_surface.evaluate(location).monge_form().curvatures();
+    const std::pair<double, double> k = m_surface.evaluate_unbounded(location).monge_form().curvatures();
     return (std::max)(std::abs(k.first), std::abs(k.second));
   }
 

@@ -49,7 +49,20 @@ struct Reference
 
   Vector surface_point(const Location& location) const
   {
-    return surface.evaluate(location).point() + displacement(location);
+    const Local_quadric quadric = surface.evaluate(location);
+    return quadric.point() + displacement_of(location, quadric);
+  }
+
+  // What leads the fit at a location to the feature curves beside it, as far as the bound of all displacements allows.
+  Vector displacement_of(const Location& location, const Local_quadric& quadric) const
+  {
+    const Vector result = displacement(location);
+    const double bound = surface.saturation().bound();
+    if(!surface.saturation().is_bounded() || result == Vector::Zero())
+      return result;
+    const Vector sum = quadric.point() + result - surface.triangles().point(location);
+    const double norm = sum.norm();
+    return norm > bound ? Vector(result - (1. - bound / norm) * sum) : result;
   }
 
   struct Nearest
@@ -67,8 +80,8 @@ struct Reference
     constexpr int maximum_number_of_steps = 10;
     constexpr double part_of_distance = 0.01;   // no more is promised of a distance that is an upper bound
     Nearest best{start, std::numeric_limits<double>::infinity()};
-    Vector displaced = displacement(start);
     Reference_locator::Projection projection = locator.start_at(start);
+    Vector displaced = displacement_of(start, projection.quadric);
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
       projection = locator.project_from(p - displaced, projection, tolerance, part_of_distance);
@@ -77,7 +90,7 @@ struct Reference
       // what is left along the surface when Newton's method has converged is no distance
       if(projection.is_foot)
         gap = gap.dot(normal) * normal;
-      const Vector change = displacement(projection.location) - displaced;
+      const Vector change = displacement_of(projection.location, projection.quadric) - displaced;
       const double distance = (gap - change).norm();
       if(distance < best.distance)
         best = {projection.location, distance, gap - change};
@@ -94,7 +107,7 @@ struct Reference
     Site site;
     site.location = locator.walk(p, hint);
     const Local_quadric quadric = surface.evaluate(site.location);
-    site.point = quadric.point() + displacement(site.location);
+    site.point = quadric.point() + displacement_of(site.location, quadric);
     // blended from the nodes: where a fit is badly conditioned it still points outwards
     site.normal = quadric.z_axis;
     site.size = sizes(site.location);
