@@ -10,7 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MAKE_SIZE_MAP_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Input_model.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_number_of_faces.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ std::unique_ptr<Size_map> make_size_map(const Input_model& model, const Size_opt
   bounded.maximum_number_of_probes = (std::min)(options.maximum_number_of_probes, probes_per_cell * useful_cells);
   std::unique_ptr<Size_map> sizes(new Size_map(model.surface, model.edges, model.curves, bounded,
                                                find_frozen_edges(model.edges, marks, is_selected), progress));
-  sizes->limit_number_of_faces(used_part * double(maximum_number_of_faces), is_selected);
+  limit_number_of_faces(*sizes, used_part * double(maximum_number_of_faces), is_selected, progress.part(0., 0.));
   return sizes;
 }
 

@@ -178,29 +178,11 @@ public:
     return number;
   }
 
-  // Scales the sizes up until their number of faces is at most `limit`. The number falls with the square of the scale
-  // or, where the gradation or frozen edges rule, more slowly. Over the logarithm of the scale it is convex: steps
-  // along its last secant do not lead below the limit.
-  template <typename IsSelected>
-  void limit_number_of_faces(const double limit, const IsSelected& is_selected)
+  // all sizes, and grades them anew
+  void scale_by(const double factor)
   {
-    constexpr double tolerance = 0.002;   // a number of faces that is this close is met
-    constexpr int maximum_number_of_steps = 100;
-    // a smaller one, relative to the number, is rounding: the lengths of frozen edges rule
-    constexpr double least_decrease = 1e-6;
-    constexpr double longest_step = 3.;   // where the number hardly falls
-    double last_step = 0., last_number = std::numeric_limits<double>::infinity();
-    for(int step = 0; step < maximum_number_of_steps; ++step, m_progress(0.))
-    {
-      const double number = number_of_faces(is_selected);
-      if(!(number > (1. + tolerance) * limit) || !(number < (1. - least_decrease) * last_number))
-        return;
-      const double along_secant = last_step * (number - limit) / (last_number - number);
-      last_step = (std::max)(std::log(number / limit) / 2., (std::min)(along_secant, longest_step));
-      last_number = number;
-      m_scale *= std::exp(last_step);
-      grade();
-    }
+    m_scale *= factor;
+    grade();
   }
 
   // Makes the sizes coarser than asked for by a factor, for a mesh that is to be refined; 1: as asked for.
@@ -328,14 +310,12 @@ private:
     {
       if(largest > (1. + size_tolerance) * smallest)
         return true;
-      // the size could have a peak or a hollow between equal corners
-      const double interpolated = (s[k] + s[next(k)]) / 2.;
-      const int middle = middle_of_side(cell, k);
-      // the cell at the other side may have it already, graded
-      const double at_middle = middle < m_sizes.number_of_samples() ? m_sizes[middle]
-                                                                         : m_samples.own_size(middle);
-      if(at_middle < interpolated / (1. + size_tolerance) || at_middle > (1. + size_tolerance) * interpolated)
-        return true;
+      // The size could have a peak or a hollow between equal corners. On a feature curve the other side, where this may
+      // be the longest one, would know of it alone.
+      for(int i = 0; i < 3; ++i)
+        if((i == k || m_curve_sizes.is_on_curve(cell.samples[i], cell.samples[next(i)]))
+           && m_samples.side_length(cell, i) > sides_per_size * smallest && is_other_at_middle(cell, i))
+          return true;
     }
     if(length > sides_per_size_at_jump * smallest && is_jump(cell))
       return true;
@@ -345,6 +325,16 @@ private:
       return true;
     m_cells.set_probed(c);
     return false;
+  }
+
+  // Does the size in the middle of a side differ from the mean of those at its ends?
+  bool is_other_at_middle(const Cell& cell, const int k)
+  {
+    const double interpolated = (m_sizes[cell.samples[k]] + m_sizes[cell.samples[next(k)]]) / 2.;
+    const int middle = middle_of_side(cell, k);
+    // the cell at the other side may have it already, graded
+    const double at_middle = middle < m_sizes.number_of_samples() ? m_sizes[middle] : m_samples.own_size(middle);
+    return at_middle < interpolated / (1. + size_tolerance) || at_middle > (1. + size_tolerance) * interpolated;
   }
 
   // Do the user's sizes differ more between two corners than the gradation allows? The curvature's are

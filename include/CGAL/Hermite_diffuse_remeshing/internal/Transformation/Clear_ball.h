@@ -24,11 +24,20 @@ typedef std::array<const Vector*, 3> Corner_points;
 inline const Vector& corner_of(const Numbered_triangle& t, const int i) { return t.points[i]; }
 inline const Vector& corner_of(const Corner_points& t, const int i) { return *t[i]; }
 
+template <typename Triangle>
+Vector area_vector(const Triangle& t)
+{
+  return (corner_of(t, 1) - corner_of(t, 0)).cross(corner_of(t, 2) - corner_of(t, 0));
+}
+
 // A ball in which all faces hang together and, seen along the axis, lie side by side and face the viewer.
 struct Clear_ball
 {
   Vector center, axis;
   double radius;                        // 0: the ball is clear no more
+
+  // how far a point is from the outside, if it is in the ball
+  double depth(const Vector& p) const { return radius - (p - center).norm(); }
 
   // the one with the center and the radius
   bool holds(const Vector& other_center, const double other_radius) const
@@ -42,7 +51,7 @@ struct Clear_ball
   {
     // of the angle to the axis: it turns neither away from the viewer nor edge-on
     constexpr double least_cosine = 0.1;
-    const Vector n = (corner_of(t, 1) - corner_of(t, 0)).cross(corner_of(t, 2) - corner_of(t, 0));
+    const Vector n = area_vector(t);
     return n.dot(axis) > least_cosine * n.norm();
   }
 };

@@ -34,8 +34,8 @@ namespace internal {
 // ball all faces hang together and, seen along an axis, lie side by side and face the viewer. There an operation
 // that fills a contour anew with triangles that face the viewer too cannot make them meet: seen from the axis they
 // cover the inside of the contour once. A ball is found by one search and serves all operations inside it from then
-// on, whatever vertices come and go there: each vertex remembers a ball that it lies in, and asks its neighbours for
-// theirs.
+// on, whatever vertices come and go there: each vertex remembers the ball that it lies deepest in, and asks its
+// neighbours for theirs.
 template <typename UserMesh>
 class Guarded_mesh : public Mesh_elements<UserMesh>
 {
@@ -72,7 +72,7 @@ private:
   // A search looks farther than asked for, as many times as far, so that its ball serves the neighbours too.
   static constexpr double reach_of_search = 5.;
   // and as far as it has met so many faces, in a fine mesh that is being coarsened for one
-  static constexpr std::size_t satisfying_number_of_faces = 128;
+  static constexpr std::size_t satisfying_number_of_faces = 256;
   // Where no ball can be as many times as large as asked for, it takes less time to test the faces near by than to find it.
   static constexpr double least_useful_ball = 2.;
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
@@ -215,12 +215,6 @@ private:
     return true;
   }
 
-  static Vector unit_normal(const Numbered_triangle& t)
-  {
-    const Vector n = (t.points[1] - t.points[0]).cross(t.points[2] - t.points[0]);
-    return n / n.norm();
-  }
-
   // A clear ball that holds the one around v with the radius: that of v, one of its neighbours, or a new one; -1 if
   // there is none, or none worth a search. What is too close to the neighbours for a ball will be too close to v.
   int find_ball(const vertex_descriptor v, const double radius)
@@ -249,7 +243,7 @@ private:
     const double needed = clearance * radius;
     double clear = reach_of_search * needed;
     begin_search(v);
-    Normal_cone cone(unit_normal(m_met.front().triangle), least_angle);
+    Normal_cone cone(area_vector(m_met.front().triangle).normalized(), least_angle);
     m_view.clear();
     Surroundings& around = m_surroundings[index(v)];
     if(std::isfinite(around.bound))
@@ -271,7 +265,22 @@ private:
     }
     around.ball = static_cast<int>(m_balls.size());
     m_balls.push_back({center, cone.axis(), clear / clearance});
+    tell_vertices_inside();
     return true;
+  }
+
+  // of the last ball, which they may lie deeper in than in theirs
+  void tell_vertices_inside()
+  {
+    const Clear_ball& found = m_balls.back();
+    for(const Met_face& met : m_met)
+      for(int k = 0; k < 3; ++k)
+      {
+        int& ball = m_surroundings[met.triangle.vertices[k]].ball;
+        const Vector& p = met.triangle.points[k];
+        if(found.depth(p) > (ball == -1 ? 0. : m_balls[ball].depth(p)))
+          ball = static_cast<int>(m_balls.size()) - 1;
+      }
   }
 
   // meets the faces up to a distance, or to where the ball ends: `clear` becomes smaller then
@@ -283,7 +292,7 @@ private:
       const Met_face met = m_met[m_queue.front().second];
       std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
       m_queue.pop_back();
-      if(!cone.add(unit_normal(met.triangle), largest_angle_found)
+      if(!cone.add(area_vector(met.triangle).normalized(), largest_angle_found)
          || (m_met.size() >= satisfying_number_of_faces && distance >= needed))
         clear = distance;
       m_view.add(met.triangle, distance);
