@@ -357,6 +357,38 @@ void test_folded_border()
   assert(report.smallest_quality > 0.1);
 }
 
+// Five triangles in a plane that is folded to and fro, along an edge that the user keeps as a feature and along one
+// that is none: the triangle between is turned over, however it is split. Its edges are split along the feature all the
+// same, and the vertices that this puts on one straight line are no corners of one triangle.
+void test_pleat()
+{
+  std::cout << "pleat" << std::endl;
+  const auto pleat = [](const double width, const double size)
+  {
+    analytic::Triangles triangles;
+    triangles.points = {{{-width, 0., 0.}}, {{width, 0., 0.}}, {{0., 0., 1.}}, {{-1., 0., 1.}}, {{1., 0., 1.}},
+                        {{-1., 0., 0.}}, {{1., 0., 0.}}};
+    triangles.faces = {{{2, 3, 1}}, {{3, 5, 1}}, {{2, 1, 0}}, {{2, 0, 4}}, {{4, 0, 6}}};
+    Surface_mesh mesh = make_mesh<Surface_mesh>(triangles);
+    auto is_feature = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:feature", false).first;
+    for(const auto e : edges(mesh))
+    {
+      const std::set<Point_3> ends = {mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))};
+      is_feature[e] = ends == std::set<Point_3>{Point_3(width, 0., 0.), Point_3(0., 0., 1.)};
+    }
+    return PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).minimum_edge_length(size / 10.)
+                                               .maximum_edge_length(size).sharp_dihedral_angle(180.)
+                                               .edge_is_constrained_map(is_feature));
+  };
+  for(const double width : {0.02, 0.05})
+    for(const double size : {0.08, 0.2, 0.4, 0.7})
+    {
+      const auto report = pleat(width, size);
+      std::cout << "  smallest quality " << report.smallest_quality << std::endl;
+      assert(report.smallest_quality > 0.02);
+    }
+}
+
 void test_maximum_deviation()
 {
   std::cout << "maximum deviation" << std::endl;
@@ -663,6 +695,7 @@ int main(int argc, char** argv)
   test_constraints();
   test_close_corners();
   test_folded_border();
+  test_pleat();
   test_maximum_deviation();
   test_maximum_displacement(read_data<Surface_mesh>("elephant.off"));
   test_maximum_displacement(read_data<Surface_mesh>("fandisk.off"));

@@ -159,9 +159,11 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
   Result result;
   if(first_choice >= Result::number_of_choices)
     return result;
-  const auto score_before = [&]
+  const auto worth_before = [&]
   {
-    return (std::min)(worth_around(mesh, source(h, mesh.tmesh())).score, worth_around(mesh, target(h, mesh.tmesh())).score);
+    Worth result = worth_around(mesh, source(h, mesh.tmesh()));
+    result.add(worth_around(mesh, target(h, mesh.tmesh())));
+    return result;
   };
   // Nearly all edges that may not collapse are refused for the lengths around, which need not wait for the model's
   // middle: it is not so far from the chord's, nor its size from the mean.
@@ -183,7 +185,7 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
     for(const Site& site : collapse_sites(mesh, result.halfedge))
     {
       if(choice >= first_choice && are_edges_acceptable_after_collapse(mesh, result.halfedge, site, longest_length)
-         && is_score_acceptable(star.worth(site).score, score_before, score_floor))
+         && is_acceptable(star.worth(site), worth_before, score_floor))
       {
         result.choice = choice;
         result.site = site;

@@ -215,7 +215,7 @@ bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_me
   const Worth after = worth_after_flip(mesh, h);
   // triangles worse than this would hinder the relocation
   constexpr double least_score_of_flip = 0.4;
-  return (gain > 0 ? is_score_acceptable(after.score, [&] { return before.score; }, least_score_of_flip) : is_better(after, before))
+  return (gain > 0 ? is_acceptable(after, [&] { return before; }, least_score_of_flip) : is_better(after, before))
       && is_flip_topologically_legal(mesh, h);
 }
 

@@ -19,16 +19,21 @@ namespace internal {
 
 // While sizes are being corrected, scores may fall, but not below this.
 constexpr double score_floor = 0.3;
-// Where triangles were worse already, anything above this may stay as it is.
+// Where triangles were worse already, anything above this may stay as it is. Nor is the quality of a triangle below it
+// worth anything: the score of one that is flat is zero with the sign of the rounding, which is better than that of all
+// that are turned over.
 constexpr double least_score = 0.02;
 
-// `before()` gives the score until now, which is asked for only where it decides.
-template <typename Score>
-bool is_score_acceptable(const double after, const Score& before, const double floor)
+// `before()` gives the worth until now, which is asked for only where it decides. What is turned over may not make room
+// for what is flat: of flat triangles no operation would find back.
+template <typename Before>
+bool is_acceptable(const Worth& after, const Before& before, const double floor)
 {
-  if(after > least_score && after >= floor - score_rounding)
-    return true;
-  return after > least_score ? after >= before() - score_rounding : after > before() + score_margin;
+  if(after.score > least_score)
+    return after.score >= floor - score_rounding || after.score >= before().score - score_rounding;
+  const Worth worth_before = before();
+  return after.score > worth_before.score + score_margin
+      && (after.quality > least_score || after.quality >= worth_before.quality - score_rounding);
 }
 
 template <typename UserMesh>

@@ -197,13 +197,14 @@ private:
   }
 
   // The normal of a needle says little. Where no score can be raised a triangle of twice its quality may take its place,
-  // however far from the model's normal, as long as it is not turned over.
+  // however far from the model's normal, as long as it is not turned over, or flat beside one that is.
   static bool improves(const Worth& after, const Worth& before, const Plan& plan)
   {
-    return plan.search == BEST_FREE_QUALITY
-         ? before.quality < needle_quality && after.score > (std::min)(0., before.score)
-           && after.quality > (std::max)(2. * before.quality, plan.after.quality) + score_margin
-         : is_better(after, before) && after.score > plan.after.score + score_margin;
+    if(plan.search != BEST_FREE_QUALITY)
+      return is_better(after, before) && after.score > plan.after.score + score_margin;
+    const bool is_flat_at_fold = before.score < 0. && before.quality < least_score;
+    return before.quality < needle_quality && (is_flat_at_fold || after.score > (std::min)(0., before.score))
+        && after.quality > (std::max)(2. * before.quality, plan.after.quality) + score_margin;
   }
 
   void offer(const Plan& candidate, Plan& plan) const

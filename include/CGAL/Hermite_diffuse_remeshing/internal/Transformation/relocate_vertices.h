@@ -113,7 +113,7 @@ std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
     star.add(mesh, v);
     // the centroid makes good triangles on the whole; a mild loss of the worst is allowed above this
     constexpr double good_score = 0.6;
-    if(!is_score_acceptable(star.worth(site).score, [&] { return star.worth(old_site).score; }, good_score))
+    if(!is_acceptable(star.worth(site), [&] { return star.worth(old_site); }, good_score))
       return std::nullopt;
     return site;
   });
