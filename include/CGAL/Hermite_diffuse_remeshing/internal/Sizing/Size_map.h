@@ -199,6 +199,7 @@ public:
   // that an edge of a size may have over a feature curve
   double largest_sagitta(const double size) const { return m_scale * m_sources.largest_sagitta(size); }
 
+  double certainty_of_radius() const { return m_sources.certainty_of_radius(); }
   // of the sizes that were asked for
   double scale() const { return m_scale; }
 
@@ -292,7 +293,7 @@ private:
     {
       const Location location = location_on_facet(m_sources.triangles(), cell.face, m_samples.position(sample));
       if(is_new || is_on_curve)
-        lower(sample, m_sources.of_surface(location));
+        lower(sample, is_on_curve ? m_sources.of_surface_beside(location) : m_sources.of_surface(location));
       if(is_user_asked)
         lower_user_size(sample, m_sources.of_user(location));
     }

@@ -87,16 +87,33 @@ public:
     constexpr double largest_length_over_radius = 0.4;
     if(!(m_options.length_over_radius < largest_length_over_radius))
       return std::numeric_limits<double>::infinity();
-    const double half_angle = std::asin((std::min)(1., m_options.length_over_radius / 2.));
+    const double half_angle = half_angle_of_edge();
     const double radius = (std::min)(size / m_options.length_over_radius, m_options.largest_curve_radius);
     return radius * (1. - std::cos(half_angle));
   }
+
+  // Of the regular polygon whose edges are as long on a circle as the relative error asks for, the radius of the circle
+  // inside over that of the circle around: a mesh with these sizes does not tell which one it approximates, and no
+  // fit to it knows the radius of curvature, nor the sizes, any better.
+  double certainty_of_radius() const { return is_error_used() ? std::cos(half_angle_of_edge()) : 1.; }
 
   double of_surface(const Location& location) const
   {
     if(!is_curvature_used())
       return std::numeric_limits<double>::infinity();
     return of_curvature(largest_curvature(location));
+  }
+
+  // At a location on a side of a face that is part of a feature, between two open nodes: there the fits are one-sided,
+  // too, and the place in the face stands for it that is as far from the side as the centroid.
+  double of_surface_beside(const Location& location) const
+  {
+    const Barycentric& b = location.coordinates;
+    const int opposite = static_cast<int>(std::min_element(b.begin(), b.end()) - b.begin());
+    Location inside = location;
+    for(int k = 0; k < 3; ++k)
+      inside.coordinates[k] = k == opposite ? 1. / 3. : 2. / 3. * b[k] / (1. - b[opposite]);
+    return of_surface(inside);
   }
 
   // of the surface
@@ -176,6 +193,11 @@ public:
   }
 
 private:
+  bool is_error_used() const { return m_options.length_over_radius < std::numeric_limits<double>::infinity(); }
+
+  // seen from the center of curvature, of an edge as long as the relative error asks for
+  double half_angle_of_edge() const { return std::asin((std::min)(1., m_options.length_over_radius / 2.)); }
+
   bool is_curvature_used() const
   {
     return (std::min)({m_options.length_over_radius, m_options.sagitta, m_options.maximum_deviation})

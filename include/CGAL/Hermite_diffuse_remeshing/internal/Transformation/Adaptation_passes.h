@@ -63,7 +63,7 @@ protected:
     {
       ++m_number_of_iterations;
       const double longest = Length_band::longest(i), shortest = Length_band::shortest(i);
-      std::size_t changes = split_long_edges(m_mesh, longest, since_change);
+      std::size_t changes = split_long_edges(m_mesh, longest, since_change, Length_band::slack_of_sagitta(i));
       changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
       changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_valence(m_mesh, since); });
       if(!is_refined || i < first_iteration + number_of_balancing_passes_of_refined)

@@ -46,6 +46,14 @@ public:
   static double longest(const int pass) { return band_center * band(pass); }
   static double shortest(const int pass) { return band_center / band(pass); }
 
+  // By what factor an edge may be farther from its feature curve than the error law allows. The fit to a result gives
+  // other curvatures at its curves than that from which they were made, and only what is far off is to be mended: the
+  // distance goes with the square of the length, of which more is left alone by the ratio of the bands.
+  static double slack_of_sagitta(const int pass)
+  {
+    return pass < first_mending_pass ? 1. : (mending_band / widest_band) * (mending_band / widest_band);
+  }
+
   // of the edges of a coarser level, which are about twice as long as their sizes; nearly all of them are to be split
   static double longest_before_refinement() { return off_simple_ratios * 1.45; }
 

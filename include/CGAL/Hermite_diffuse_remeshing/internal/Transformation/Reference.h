@@ -131,12 +131,14 @@ struct Reference
     return site;
   }
 
-  // Is a chord of a feature curve as close to it as the error law allows for an edge of the size there?
-  bool is_chord_faithful(const int curve, const double first, const double last) const
+  // Is a chord of a feature curve as close to it as the error law allows for an edge of the size there, or closer than
+  // `factor` times that?
+  bool is_chord_faithful(const int curve, const double first, const double last, const double factor = 1.) const
   {
     const Feature_curve& c = curves.curves[curve];
     const double size = (curve_size(curve, first) + curve_size(curve, last)) / 2.;
-    return c.spline.distance_to_chord((std::min)(first, last), (std::max)(first, last)) <= sizes.largest_sagitta(size);
+    return c.spline.distance_to_chord((std::min)(first, last), (std::max)(first, last))
+        <= factor * sizes.largest_sagitta(size);
   }
 
   // at a vertex of the reference, seen from one of its faces; without normal

@@ -22,13 +22,15 @@ namespace internal {
 // On the faces this averages out; on a feature curve, which everybody sees, no edge is farther from the spline than
 // the error law allows for the size there.
 
+// `factor`: of the distance that is allowed
 template <typename UserMesh>
-bool is_faithful(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
+bool is_faithful(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h,
+                 const double factor = 1.)
 {
   const int curve = mesh.curve(h);
   return curve == -1
       || mesh.reference().is_chord_faithful(curve, mesh.parameter(source(h, mesh.tmesh()), curve),
-                                            mesh.parameter(target(h, mesh.tmesh()), curve));
+                                            mesh.parameter(target(h, mesh.tmesh()), curve), factor);
 }
 
 // The two neighbours of a curve vertex along its curve, by their parameters.

@@ -79,9 +79,10 @@ struct Size_statistics
   double mean_log2 = 0.;                          // of the logarithm to base 2
 };
 
-// `is_counted(halfedge)` selects edges
+// `is_counted(halfedge)` selects edges; `uncertainty` of the sizes, as a logarithm, widens the bands
 template <typename UserMesh, typename IsCounted>
-Size_statistics measure_sizes(const Working_mesh<UserMesh>& mesh, const IsCounted& is_counted)
+Size_statistics measure_sizes(const Working_mesh<UserMesh>& mesh, const IsCounted& is_counted,
+                              const double uncertainty = 0.)
 {
   Size_statistics result;
   std::size_t number = 0;
@@ -92,8 +93,8 @@ Size_statistics measure_sizes(const Working_mesh<UserMesh>& mesh, const IsCounte
       continue;
     const double log2 = std::log2(mesh.relative_length(h));
     ++number;
-    result.within_2 += std::abs(log2) <= 1.;
-    result.within_sqrt_2 += std::abs(log2) <= 0.5;
+    result.within_2 += std::abs(log2) <= 1. + uncertainty;
+    result.within_sqrt_2 += std::abs(log2) <= 0.5 + uncertainty;
     result.mean_log2 += std::isfinite(log2) ? log2 : 0.;
   }
   const double divisor = double((std::max)(std::size_t(1), number));
@@ -117,9 +118,10 @@ bool is_adapted(const Working_mesh<UserMesh>& mesh)
   const auto& tm = mesh.tmesh();
   const auto is_inside = [&](const auto v) { return mesh.data(v).type == SURFACE_VERTEX; };
   const auto has_ends_inside = [&](const auto h) { return is_inside(source(h, tm)) && is_inside(target(h, tm)); };
-  const Size_statistics sizes = measure_sizes(mesh, has_ends_inside);
+  const double uncertainty = -std::log2(mesh.reference().sizes.certainty_of_radius());
+  const Size_statistics sizes = measure_sizes(mesh, has_ends_inside, uncertainty);
   return sizes.within_2 >= least_share_within_2 && sizes.within_sqrt_2 >= least_share_within_sqrt_2
-      && std::abs(sizes.mean_log2) <= largest_mean
+      && std::abs(sizes.mean_log2) <= largest_mean + uncertainty
       && measure_quality(mesh, [&](const auto f)
          {
            const auto h = halfedge(f, tm);

@@ -104,17 +104,17 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
                                            : after.score > before.score + score_margin;
 }
 
-// Splits the edges that are longer than `bound` times their size, or too far from their feature curve, each once. Only
-// edges with changes around them are looked at.
+// Splits the edges that are longer than `bound` times their size, or farther from their feature curve than `slack`
+// times what is allowed, each once. Only edges with changes around them are looked at.
 template <typename UserMesh>
 std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
-                                  const Edge_order order = LONGEST_FIRST)
+                                  const Edge_order order = LONGEST_FIRST, const double slack = 1.)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   const std::size_t before = mesh.counts().splits;
   const auto queue = collect_edges(mesh, since, order, [&](const halfedge_descriptor h)
                                    { return !mesh.is_protected(h)
-                                            && (mesh.relative_length(h) > bound || !is_faithful(mesh, h)); });
+                                            && (mesh.relative_length(h) > bound || !is_faithful(mesh, h, slack)); });
   // splits move no vertex, and the faces that they make have the hints of their origin: middles stay
   propose_and_accept(mesh, queue.begin(), queue.end(), [&](const auto& candidate)
                      { return mesh.is_full() ? Site() : middle_site(mesh, candidate.halfedge); },
@@ -128,7 +128,8 @@ std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bou
 
 // Edges that are still too long after that are met again in the next round. Lengths halve, so the rounds end.
 template <typename UserMesh>
-std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since)
+std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
+                             const double slack = 1.)
 {
   // halves the longest edge from the model's diameter to its rounding
   constexpr int maximum_number_of_rounds = 48;
@@ -138,7 +139,7 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, c
   for(int round = 0; round < maximum_number_of_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
   {
     const std::size_t number_of_changes = mesh.number_of_changes();
-    if(split_long_edges_once(mesh, bound, since_round) == 0)
+    if(split_long_edges_once(mesh, bound, since_round, LONGEST_FIRST, slack) == 0)
       break;
     since_round = number_of_changes;
   }
