@@ -199,20 +199,6 @@ void test_needles()
     {{{0, 1, 3}}, {{1, 5, 7}}, {{1, 7, 3}}, {{0, 9, 2}}, {{0, 2, 1}}, {{1, 2, 6}}, {{1, 6, 5}},
      {{0, 4, 10}}, {{0, 3, 4}}, {{3, 8, 4}}, {{3, 7, 8}}}));
   assert(ramp.number(SHARP_EDGE) == 4);
-
-  // Two needles beside each other between the front of a sheet and its narrow back, folded over like a Z. The one that
-  // borrows the normal of the back does away with both long edges at its own, and leaves no features to the other.
-  const Classification pleat(indexed(
-    {Vector(0., 0., 0.), Vector(0.08, 0.34, 0.), Vector(0.17, 1.66, 5.1), Vector(0.17, 2.73, 5.98),
-     Vector(0.17, 1.16, 4.13), Vector(-0.06, -1.03, -4.87), Vector(-0.33, -1.9, -2.08), Vector(-0.26, -2.5, -6.07),
-     Vector(0.1, 0.69, -0.54), Vector(0.02, -0.06, -4.63)},
-    {{{3, 0, 2}}, {{2, 0, 1}}, {{4, 2, 1}}, {{5, 1, 0}}, {{4, 1, 8}}, {{5, 9, 1}}, {{8, 1, 9}}, {{3, 6, 0}},
-     {{5, 0, 7}}, {{0, 6, 7}}}));
-  assert(pleat.number(SHARP_EDGE) == 3);
-  const auto is_sharp = [&](const int face, const int side)
-  { return pleat.edge_classes[pleat.edges.edge(face, side)] == SHARP_EDGE; };
-  assert(is_sharp(0, 0) && is_sharp(1, 1) && is_sharp(2, 2));
-  assert(!is_sharp(1, 0) && !is_sharp(1, 2));
 }
 
 int main()

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,17 +36,7 @@ class Needles
   std::vector<Vector> m_normals;        // of any length; those that needles are taken to have
   std::vector<char> m_is_needle;
 
-  // the normal that a needle can have
-  struct Loan
-  {
-    int lender = -1;                    // the face it is from, -1: none
-    double gain = 0.;                   // length of the sharp edges that this does away with
-  };
-  std::vector<Loan> m_loans;            // of the faces
-
   static constexpr double largest_angle = 0.0873;     // 5 degrees
-  // relative to the length: gains closer than this are the same
-  static constexpr double gain_tolerance = 1e-6;
   // angles closer than this, in radians, are the same: rounding does not choose between two sheets
   static constexpr double angle_tolerance = 1e-6;
 
@@ -72,20 +63,20 @@ public:
         if(m_is_needle[f])
           needles.push_back(f);
       }
-      m_loans.assign(m_surface.number_of_faces(), Loan());
+      std::vector<std::pair<int, int> > lenders;
       for(const int f : needles)
-        m_loans[f] = find_loan(f);
-      std::vector<int> borrowers;
-      for(const int f : needles)
-        if(m_loans[f].lender != -1 && !has_to_wait(f))
-          borrowers.push_back(f);
-      if(borrowers.empty())
+      {
+        const int k = side_to_join(f);
+        if(k != -1)
+          lenders.push_back(std::make_pair(f, neighbor(f, k)));
+      }
+      if(lenders.empty())
         return;
-      for(const int f : borrowers)
-        m_normals[f] = m_normals[m_loans[f].lender];
-      for(const int f : borrowers)
+      for(const std::pair<int, int>& entry : lenders)
+        m_normals[entry.first] = m_normals[entry.second];
+      for(const std::pair<int, int>& entry : lenders)
         for(int k = 0; k < 3; ++k)
-          classify_again(f, k);
+          classify_again(entry.first, k);
     }
   }
 
@@ -107,49 +98,6 @@ private:
     const int e = m_edges.edge(face, side);
     return m_edges.side(e, m_edges.side(e, 0).face == face ? 1 : 0).face;
   }
-
-  // Two needles beside each other find their loans by the noise of the other: with both at once, features would end up
-  // between sheets that both needles have been taken from. The one that does away with more of them goes first, and
-  // what it leaves to the other is seen in the next round.
-  bool has_to_wait(const int f) const
-  {
-    for(int k = 0; k < 3; ++k)
-    {
-      if(m_edges.number_of_sides(m_edges.edge(f, k)) != 2)
-        continue;
-      const int g = neighbor(f, k);
-      const double difference = m_loans[g].gain - m_loans[f].gain;
-      const double tolerance = gain_tolerance * length(f, k);
-      if(m_loans[g].lender != -1 && (difference > tolerance || (difference >= -tolerance && g < f)))
-        return true;
-    }
-    return false;
-  }
-
-  Loan find_loan(const int f) const
-  {
-    Loan loan;
-    const int k = side_to_join(f);
-    if(k == -1)
-      return loan;
-    loan.lender = neighbor(f, k);
-    for(int side = 0; side < 3; ++side)
-    {
-      const Edge_class c = edge_class(f, side);
-      if(c != SHARP_EDGE && c != INTERIOR_EDGE)
-        continue;
-      const bool is_left = side != k && is_sharp_seen_from(m_normals[loan.lender], f, side);
-      loan.gain += (int(c == SHARP_EDGE) - int(is_left)) * length(f, side);
-    }
-    return loan;
-  }
-
-  double length(const int f, const int side) const
-  { return (m_surface.point(f, next(side)) - m_surface.point(f, side)).norm(); }
-
-  // would the side of a face be sharp if it had this normal?
-  bool is_sharp_seen_from(const Vector& normal, const int f, const int side) const
-  { return angle_between(normal, m_normals[neighbor(f, side)]) > m_sharp_angle; }
 
   double angle(const int face, const int side) const
   { return angle_between(m_normals[face], m_normals[neighbor(face, side)]); }
@@ -180,7 +128,7 @@ private:
     {
       const Edge_class c = edge_class(f, side);
       is_left[side] = (c != INTERIOR_EDGE && c != SHARP_EDGE)
-                   || is_sharp_seen_from(normal, f, side);
+                   || angle_between(normal, m_normals[neighbor(f, side)]) > m_sharp_angle;
       if(is_left[side] && c == INTERIOR_EDGE)
         new_side = side;
     }

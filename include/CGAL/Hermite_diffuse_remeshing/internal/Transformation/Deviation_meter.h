@@ -56,17 +56,17 @@ class Deviation_meter
 
   // relative to the local size; a deviation needs two digits
   static constexpr double tolerance = 1e-3;
-  static constexpr double raised = 1. + Deviations<UserMesh>::unseen_part;
   // a face is measured at its vertices, its middles and its centroid
   static constexpr double weight_in_mean = 1. / 7.;
 
 public:
   // `bound`: deviations below it need no second look
   Deviation_meter(const Mesh& mesh, const double bound)
-    : m_mesh(mesh), m_bound(bound / raised), m_index(make_index_map())
+    : m_mesh(mesh), m_bound(bound / raised(mesh)), m_index(make_index_map())
     , m_targets(mesh.reference(), bound, (std::max)(mesh.maximum_number_of_faces(), mesh.number_of_faces()),
                 [&mesh](const int f) { return mesh.is_reference_face_remeshed(f); }, mesh.progress())
   {
+    m_deviations.raised = raised(mesh);
     m_deviations.model_distance = m_targets.model_distance();
   }
 
@@ -108,7 +108,7 @@ public:
         continue;
       const bool is_new = m_mesh.has_new_shape(f, since);
       const int i = is_new ? -1 : get(old_index, f);
-      if(is_new || (old_faces[i].deviation > raised * m_bound && has_changed_beside(f, since)))
+      if(is_new || (old_faces[i].deviation > m_deviations.raised * m_bound && has_changed_beside(f, since)))
       {
         add_new_face(f);
         continue;
@@ -126,6 +126,12 @@ public:
   }
 
 private:
+  static double raised(const Mesh& mesh)
+  {
+    return 1. + (mesh.reference().surface.saturation().is_bounded() ? Deviations<UserMesh>::unseen_part_at_facets
+                                                                    : Deviations<UserMesh>::unseen_part);
+  }
+
   // of the faces that there are now: the mesh is not ours, so the map does not grow with it
   Face_index_map make_index_map() const { return get(CGAL::dynamic_face_property_t<int>(), m_mesh.tmesh()); }
 
@@ -159,7 +165,7 @@ private:
     measure_ridges();
     measure_vertices();
     m_deviations.summarize();
-    m_second_look = (std::min)(m_bound, m_deviations.largest / raised);
+    m_second_look = (std::min)(m_bound, m_deviations.largest / m_deviations.raised);
     measure_peaks();
     std::vector<face_descriptor> new_faces;
     for(const int f : m_new_faces)
@@ -364,7 +370,7 @@ private:
       if(m_gaps[f].bound() <= m_second_look)
         return false;
       const double height = std::abs(m_gaps[f](m_gaps[f].peak()));
-      return height > m_second_look && raised * height > m_deviations.faces[f].deviation;
+      return height > m_second_look && m_deviations.raised * height > m_deviations.faces[f].deviation;
     });
     measure_at(high_faces, [&](const int f) { return nearest_at(f, m_gaps[f].peak()); },
                [&](const int f, const Reference::Nearest& nearest)
