@@ -15,6 +15,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -22,6 +23,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -87,6 +89,26 @@ Report remesh(Mesh& mesh, const double value, const bool is_guarded = true)
                                        .maximum_deviation(deviation).do_self_intersection_tests(is_guarded);
   return is_sagitta ? PMP::hermite_diffuse_remesh(mesh, bounds.sagitta(value * diagonal_of_box(mesh)))
                     : PMP::hermite_diffuse_remesh(mesh, bounds.approximation_error(value));
+}
+
+// rms distances to the surface that the input is made of: of the vertices, and of points on the faces
+template <typename Surface>
+void print_true_distances(const Mesh& mesh, const Surface& surface)
+{
+  const auto rms = [&](const std::vector<Point>& points)
+  {
+    double sum = 0.;
+    for(const Point& p : points)
+      sum += CGAL::square(surface.distance({{p.x(), p.y(), p.z()}}));
+    return std::sqrt(sum / double(points.size()));
+  };
+  std::vector<Point> vertices, samples;
+  for(const Mesh::Vertex_index v : mesh.vertices())
+    vertices.push_back(mesh.point(v));
+  PMP::sample_triangle_mesh(mesh, std::back_inserter(samples),
+                            CGAL::parameters::random_seed(0).number_of_points_on_faces(200000));
+  std::cout << "  rms distance to the true surface: vertices " << rms(vertices) << ", points on the faces " << rms(samples)
+            << std::endl;
 }
 
 // the part of the edges that another run with the same parameters does not keep
@@ -181,6 +203,10 @@ int main(int argc, char* argv[])
               << "\t" << number_of_intersections(input) << "\t" << number_of_intersections(mesh)
               << "\t" << changed_edges(mesh, value) << "\t" << report.seconds << "\t" << share_of_guard(input, value)
               << std::endl;
+    if(name == "torus")
+      print_true_distances(mesh, analytic::Sized_torus());
+    if(name == "ellipsoid")
+      print_true_distances(mesh, analytic::Ellipsoid_123());
     for(const auto& low : report.low_quality_faces)
       std::cout << "  quality " << low.quality << ": " << explanation(low) << std::endl;
   }

@@ -137,6 +137,20 @@ struct Ellipsoid_123
 {
   double a = 1., b = 2., c = 3.;
 
+  // of a point near the surface, up to its square: the value of the implicit form over the length of the gradient
+  double distance(const Point& p) const
+  {
+    const double axes[3] = {a, b, c};
+    double value = -1., square = 0.;
+    for(int i = 0; i < 3; ++i)
+    {
+      const double s = axes[i] * axes[i];
+      value += p[i] * p[i] / s;
+      square += 4. * p[i] * p[i] / (s * s);
+    }
+    return std::abs(value) / std::sqrt(square);
+  }
+
   // F. R. Gauss' formulae for the implicit form; the point is first scaled onto the surface
   double largest_curvature_at(const Point& q) const
   {

@@ -2,6 +2,7 @@
 #include "test_helpers.h"
 
 #include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_number_of_faces.h>
 
 #include <limits>
 #include <stdexcept>
@@ -220,11 +221,33 @@ void test_budget_with_gradation()
       Sized_model sized(square, options);
       const auto is_selected = [](int) { return true; };
       const double limit = share * sized.sizes.number_of_faces(is_selected);
-      sized.sizes.limit_number_of_faces(limit, is_selected);
+      limit_number_of_faces(sized.sizes, limit, is_selected, Progress());
       const double number = sized.sizes.number_of_faces(is_selected);
       std::cout << "  gradation " << gradation << ", budget " << limit << ": " << number << std::endl;
       assert(number <= 1.002 * limit && number >= 0.998 * limit);
     }
+}
+
+// The tip of a notch comes close to the middle of an edge, but not to its ends: the size is small there, seen from both
+// of its faces, also from the one of which it is not the longest side.
+void test_strip_beside_long_face()
+{
+  constexpr double width = 0.01, length = 0.3;
+  Indexed_triangles notched;
+  notched.points = {Vector(0, 0, 0), Vector(1, 0, 0), Vector(0.5, width, 0), Vector(1, 1, 0), Vector(0, 1, 0),
+                    Vector(0.5, 0, -2)};
+  notched.triangles = {{{0, 1, 2}}, {{1, 3, 2}}, {{0, 2, 4}}, {{1, 0, 5}}};
+  Size_options options;
+  options.minimum_length = 1e-4;
+  options.maximum_length = length;
+  options.gradation = 2.;
+  const Sized_model sized(notched, options);
+  for(const int face : {0, 3})
+  {
+    const double size = sized.sizes(Location{face, {{0.5, 0.5, 0.}}});
+    std::cout << "  size in a strip " << size << std::endl;
+    assert(size < length / 4.);
+  }
 }
 
 int main()
@@ -236,6 +259,7 @@ int main()
   test_gradation_on_large_faces();
   test_coarse_middle();
   test_budget_with_gradation();
+  test_strip_beside_long_face();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }
