@@ -118,7 +118,10 @@ bool is_adapted(const Working_mesh<UserMesh>& mesh)
   const auto& tm = mesh.tmesh();
   const auto is_inside = [&](const auto v) { return mesh.data(v).type == SURFACE_VERTEX; };
   const auto has_ends_inside = [&](const auto h) { return is_inside(source(h, tm)) && is_inside(target(h, tm)); };
-  const double uncertainty = -std::log2(mesh.reference().sizes.certainty_of_radius());
+  // Where hardly anything is known of the radius, sizes may still be bounds or those of the user: a factor of 1.23.
+  constexpr double largest_uncertainty = 0.3;
+  const double uncertainty =
+    (std::min)(largest_uncertainty, -std::log2(mesh.reference().sizes.certainty_of_radius()));
   const Size_statistics sizes = measure_sizes(mesh, has_ends_inside, uncertainty);
   return sizes.within_2 >= least_share_within_2 && sizes.within_sqrt_2 >= least_share_within_sqrt_2
       && std::abs(sizes.mean_log2) <= largest_mean + uncertainty
