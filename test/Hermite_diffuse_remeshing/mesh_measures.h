@@ -3,17 +3,14 @@
 #ifndef MESH_MEASURES_H
 #define MESH_MEASURES_H
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>     // before CGAL's distances, which need its functions
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -42,16 +39,10 @@ template <typename Point>
 double largest_distance(const CGAL::Surface_mesh<Point>& from, const CGAL::Surface_mesh<Point>& to,
                         const std::size_t number_of_samples = 200000)
 {
-  typedef CGAL::AABB_face_graph_triangle_primitive<CGAL::Surface_mesh<Point> > Primitive;
-  typedef typename CGAL::Kernel_traits<Point>::Kernel Kernel;
-  const CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > tree(faces(to).begin(), faces(to).end(), to);
   std::vector<Point> samples;
   CGAL::Polygon_mesh_processing::sample_triangle_mesh(from, std::back_inserter(samples),
     CGAL::parameters::random_seed(0).number_of_points_on_faces(number_of_samples));
-  double largest = 0.;
-  for(const Point& p : samples)
-    largest = (std::max)(largest, tree.squared_distance(p));
-  return std::sqrt(largest);
+  return CGAL::Polygon_mesh_processing::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(samples, to);
 }
 
 #endif // MESH_MEASURES_H
