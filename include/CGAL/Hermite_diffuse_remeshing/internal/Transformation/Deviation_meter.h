@@ -10,7 +10,6 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_METER_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_gaps.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Ridge_pairs.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Ridge_point.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Target_meter.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
@@ -51,13 +50,16 @@ class Deviation_meter
   std::vector<char> m_is_new;           // of the faces: has to be measured
   std::vector<int> m_new_faces;         // the numbers of those
   std::vector<Face_gaps> m_gaps;        // of those
-  Ridge_pairs m_ridges;                 // of the new faces
+  std::vector<Vector> m_normals;        // of those
   double m_second_look = 0.;            // distances below it need none
 
   // relative to the local size; a deviation needs two digits
   static constexpr double tolerance = 1e-3;
   // a face is measured at its vertices, its middles and its centroid
   static constexpr double weight_in_mean = 1. / 7.;
+  // of the height from which a second look is needed: lower faces need none at ridges. A ridge across an edge is twice
+  // as high as the model over its middle, the rest is for what a curvature against it takes away from there.
+  static constexpr double part_of_ridges = 0.25;
 
 public:
   // `bound`: deviations below it need no second look
@@ -160,12 +162,13 @@ private:
   void measure_new_faces()
   {
     m_gaps.assign(m_deviations.faces.size(), Face_gaps());
+    m_normals.assign(m_deviations.faces.size(), Vector::Zero());
     measure_centroids();
     measure_edges();
-    measure_ridges();
     measure_vertices();
-    m_deviations.summarize();
-    m_second_look = (std::min)(m_bound, m_deviations.largest / m_deviations.raised);
+    find_second_look();
+    measure_ridges();
+    find_second_look();
     measure_peaks();
     std::vector<face_descriptor> new_faces;
     for(const int f : m_new_faces)
@@ -174,6 +177,13 @@ private:
       .measure(m_mesh.progress());
     m_deviations.summarize();
     m_gaps.clear();
+    m_normals.clear();
+  }
+
+  void find_second_look()
+  {
+    m_deviations.summarize();
+    m_second_look = (std::min)(m_bound, m_deviations.largest / m_deviations.raised);
   }
 
   // Measures at places of the mesh, `measure(place)` in several threads, and enters the results in the order of the
@@ -224,14 +234,9 @@ private:
     {
       m_deviations.add(point_of_face(f, center), nearest.distance, nearest.location, {f});
       add_to_mean(nearest.distance, f);
-      m_gaps[f].centroid = std::copysign(nearest.distance, nearest.gap.dot(normal_of_face(f)));
+      m_normals[f] = area_vector(m_mesh.triangle(m_deviations.faces[f].face)).stableNormalized();
+      m_gaps[f].centroid = std::copysign(nearest.distance, nearest.gap.dot(m_normals[f]));
     });
-  }
-
-  Vector normal_of_face(const int f) const
-  {
-    const std::array<Vector, 3> p = m_mesh.triangle(m_deviations.faces[f].face).points;
-    return (p[1] - p[0]).cross(p[2] - p[0]).stableNormalized();
   }
 
   Vector point_of_face(const int f, const Barycentric& l) const
@@ -244,7 +249,6 @@ private:
   {
     Reference::Nearest nearest;
     double deviation;                   // on curves, of the whole arc
-    boost::container::static_vector<Ridge_point, 2> ridges;
   };
 
   void measure_edges()
@@ -266,28 +270,27 @@ private:
       const Reference::Nearest& nearest = measured.nearest;
       m_deviations.add(middle(h), measured.deviation, nearest.location, {index_at(h), index_at(opposite(h, tm))},
                        is_on_curve && m_mesh.is_protected(h));
-      for(const Ridge_point& ridge : measured.ridges)
-        m_deviations.add(ridge.point, ridge.distance, ridge.location, {index_at(h), index_at(opposite(h, tm))});
       for(const halfedge_descriptor side : {h, opposite(h, tm)})
       {
         const int i = index_at(side);
         add_to_mean(nearest.distance, i);
-        if(!is_new(i))
-          continue;
-        set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
-        for(const Ridge_point& ridge : measured.ridges)
-          m_ridges.add(i, edge_of_reference(m_mesh.reference(), ridge.location), ridge.location);
+        if(is_new(i))
+          set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
       }
     });
   }
 
   void measure_ridges()
   {
-    const std::vector<Ridge_pairs::Pair> pairs = m_ridges.take_pairs(static_cast<int>(m_is_new.size()), m_mesh.progress());
-    measure_at(pairs, [&](const Ridge_pairs::Pair& pair)
-               { return ridge_point_between(m_mesh, pair.first, pair.second, m_deviations.faces[pair.face].face); },
-               [&](const Ridge_pairs::Pair& pair, const Ridge_point& ridge)
-               { m_deviations.add(ridge.point, ridge.distance, ridge.location, {pair.face}); });
+    std::vector<int> high_faces;
+    std::copy_if(m_new_faces.begin(), m_new_faces.end(), std::back_inserter(high_faces), [&](const int f)
+                 { return m_gaps[f].bound() > part_of_ridges * m_second_look; });
+    measure_at(high_faces, [&](const int f) { return ridge_points_over_face(m_mesh, m_deviations.faces[f].face); },
+               [&](const int f, const std::vector<Ridge_point>& points)
+    {
+      for(const Ridge_point& ridge : points)
+        m_deviations.add(ridge.point, ridge.distance, ridge.location, {f});
+    });
   }
 
   Vector middle(const halfedge_descriptor h) const
@@ -304,7 +307,6 @@ private:
     {
       result.nearest = project(p, h);
       result.deviation = result.nearest.distance;
-      result.ridges = ridge_points_over_edge(m_mesh, h);
       return result;
     }
     const double u = m_mesh.parameter(source(h, m_mesh.tmesh()), curve), v = m_mesh.parameter(target(h, m_mesh.tmesh()), curve);
@@ -324,7 +326,7 @@ private:
     const TriangleMesh& tm = m_mesh.tmesh();
     const halfedge_descriptor first = halfedge(face(side, tm), tm);
     const int k = side == first ? 0 : side == next(first, tm) ? 1 : 2;
-    const double across = gap.dot(normal_of_face(index_at(side)));
+    const double across = gap.dot(m_normals[index_at(side)]);
     m_gaps[index_at(side)].middles[k] = std::copysign((std::max)(distance, std::abs(across)), across);
   }
 

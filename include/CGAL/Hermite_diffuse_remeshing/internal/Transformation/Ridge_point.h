@@ -13,6 +13,8 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/closest_face.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -71,6 +73,24 @@ Ridge_point ridge_point_between(const Working_mesh<UserMesh>& mesh, const Locati
   const Indexed_triangles& triangles = reference.surface.triangles();
   const Location middle = reference.locator.walk((triangles.point(first) + triangles.point(second)) / 2., first.face);
   return measure_ridge_point(mesh, middle, f);
+}
+
+// where the edges of the face cross ridges, and between two places on the same edge of the reference
+template <typename UserMesh>
+std::vector<Ridge_point> ridge_points_over_face(const Working_mesh<UserMesh>& mesh,
+                                                const typename Working_mesh<UserMesh>::face_descriptor f)
+{
+  std::vector<Ridge_point> result;
+  for(const auto h : CGAL::halfedges_around_face(halfedge(f, mesh.tmesh()), mesh.tmesh()))
+    if(!mesh.is_on_curve(h))
+      for(const Ridge_point& ridge : ridge_points_over_edge(mesh, h))
+        result.push_back(ridge);
+  const std::size_t number_at_edges = result.size();
+  for(std::size_t i = 0; i < number_at_edges; ++i)
+    for(std::size_t j = 0; j < i; ++j)
+      if(edge_of_reference(mesh.reference(), result[i].location) == edge_of_reference(mesh.reference(), result[j].location))
+        result.push_back(ridge_point_between(mesh, result[j].location, result[i].location, f));
+  return result;
 }
 
 } // namespace internal
