@@ -679,6 +679,24 @@ void test_projection()
   assert(ok);
 }
 
+// Beyond a border, where the surface ends, the height above its plane is not the distance.
+void test_projection_beyond_border()
+{
+  Indexed_triangles square;
+  square.points = {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(1., 1., 0.), Vector(0., 1., 0.)};
+  square.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  const auto model = make_model(square);
+  constexpr double tolerance = 1e-3, part_of_distance = 0.01;
+  const auto is_foot = [&](const Vector& p)
+  {
+    const Location closest = model->locator.closest(p);
+    return model->locator.project_from(p, model->locator.start_at(closest), tolerance, part_of_distance).is_foot;
+  };
+  assert(is_foot(Vector(0.5, 0.3, 0.1)));
+  assert(!is_foot(Vector(0.5, -0.3, 0.1)));             // beside a side
+  assert(!is_foot(Vector(1.2, -0.3, 0.1)));             // at a corner
+}
+
 int main()
 {
   test_reference_values();
@@ -697,6 +715,7 @@ int main()
   test_crossings_of_two_ridges();
   test_normal_beside_folded_face();
   test_projection();
+  test_projection_beyond_border();
   test_form_of_paper();
   test_accuracy();
   test_orders();

@@ -362,6 +362,20 @@ void test_folded_border()
   check_result(input, output);
   std::cout << "  smallest quality " << finer.smallest_quality << std::endl;
   assert(finer.smallest_quality > 0.05);
+
+  // Faces beyond the border, in the plane of those at it, deviate; and the splits that they ask for make none flat.
+  for(const double displacement : {6.5e-4, 5e-4})
+  {
+    output = input;
+    const auto bounded = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.0105)
+      .maximum_deviation(1.2e-3 * diagonal).maximum_displacement(displacement * diagonal));
+    check_result(input, output);
+    const double distance = largest_distance(output, input);
+    std::cout << "  smallest quality " << bounded.smallest_quality << ", distance " << distance / diagonal
+              << " of the diagonal, measured " << bounded.largest_deviation / diagonal << std::endl;
+    assert(bounded.smallest_quality > 1e-3);
+    assert(distance <= bounded.largest_deviation + bounded.distance_of_model_from_input);
+  }
 }
 
 // Five triangles in a plane that is folded to and fro, along an edge that the user keeps as a feature and along one
@@ -411,6 +425,22 @@ void test_maximum_deviation()
                        .maximum_deviation(1e-5).minimum_edge_length(0.1).maximum_edge_length(0.2));
   assert(!other.is_maximum_deviation_met && !other.faces_above_maximum_deviation.empty());
   assert(other.largest_deviation > 1e-5);
+}
+
+// Sizes as large as a hole would leave the chord of half its rim, to which its surroundings adapt: no later split finds
+// back to the rim.
+void test_small_holes()
+{
+  std::cout << "small holes" << std::endl;
+  const Surface_mesh input = read_data<Surface_mesh>("couplingdown.off");
+  Surface_mesh output = input;
+  const double length = diagonal_of_box(input), displacement = 4.2e-3 * length, deviation = 6.3e-3 * length;
+  const auto report = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.5)
+    .maximum_displacement(displacement).maximum_deviation(deviation).sharp_dihedral_angle(40.));
+  check_result(input, output);
+  assert(report.is_maximum_deviation_met);
+  assert(largest_distance(output, input) <= displacement + deviation);
+  assert(largest_distance(input, output) <= displacement + deviation);
 }
 
 // The result stays that close to the facets, with the sizes of the smooth surface.
@@ -704,6 +734,7 @@ int main(int argc, char** argv)
   test_folded_border();
   test_pleat();
   test_maximum_deviation();
+  test_small_holes();
   test_maximum_displacement(read_data<Surface_mesh>("elephant.off"));
   test_maximum_displacement(read_data<Surface_mesh>("fandisk.off"));
   test_size_field();

@@ -140,7 +140,8 @@ public:
     double last_considerable_residual = best_residual;
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
-      best.is_foot = best_residual <= tolerance || is_height_distance(best.quadric, best_residual, p, part_of_distance);
+      best.is_foot = best_residual <= tolerance
+                  || (is_height_distance(best.quadric, best_residual, p, part_of_distance) && !is_at_rim(best.location));
       if(best.is_foot || steps_in_vain == maximum_number_of_steps_in_vain)
         break;
       const Vector target = base_point_of_foot(current.quadric, p);
@@ -194,6 +195,18 @@ private:
     const Vector r = p - quadric.point();
     const Vector n = quadric.normal();
     return (r - r.dot(n) * n).norm() / quadric.size;
+  }
+
+  // on a border or a feature, where the model ends
+  bool is_at_rim(const Location& location) const
+  {
+    const Barycentric& l = location.coordinates;
+    const Cut_mesh& cut_mesh = m_surface.cut_mesh();
+    for(int k = 0; k < 3; ++k)
+      if((is_zero(l[previous(k)]) && cut_mesh.neighbor(location.face, k) == -1)
+         || (is_zero(l[previous(k)]) && is_zero(l[next(k)]) && cut_mesh.is_open(cut_mesh.node(location.face, k))))
+        return true;
+    return false;
   }
 
   // At s along the surface from the foot the height above the tangent plane differs from the distance by k s^2 / 2,

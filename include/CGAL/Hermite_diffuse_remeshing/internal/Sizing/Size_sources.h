@@ -79,17 +79,16 @@ public:
            ? (std::min)(relative, length_of_sagitta(m_options.sagitta, radius)) : relative;
   }
 
-  // The distance between an arc and its chord if the chord has a size that the relative error asks for; the other
-  // laws, and a size of the user, ask for no more. Nor does a law that asks for less than about sixteen edges
-  // on a circle: whole numbers of edges that are close enough would be much shorter than their sizes then.
+  // The distance between an arc and its chord if the chord has a size that the relative error asks for, or the largest
+  // deviation; the other laws, and a size of the user, ask for no more. Nor does an error that asks for less than about
+  // sixteen edges on a circle: whole numbers of edges that are close enough would be much shorter than their sizes then.
   double largest_sagitta(const double size) const
   {
     constexpr double largest_length_over_radius = 0.4;
     if(!(m_options.length_over_radius < largest_length_over_radius))
-      return std::numeric_limits<double>::infinity();
-    const double half_angle = half_angle_of_edge();
+      return m_options.maximum_deviation;
     const double radius = (std::min)(size / m_options.length_over_radius, m_options.largest_curve_radius);
-    return radius * (1. - std::cos(half_angle));
+    return (std::min)(radius * (1. - std::cos(half_angle_of_edge())), m_options.maximum_deviation);
   }
 
   // Of the regular polygon whose edges are as long on a circle as the relative error asks for, the radius of the circle

@@ -282,9 +282,16 @@ private:
 
   void measure_ridges()
   {
+    const TriangleMesh& tm = m_mesh.tmesh();
+    const auto is_high = [&](const int f) { return f != -1 && m_gaps[f].bound() > part_of_ridges * m_second_look; };
     std::vector<int> high_faces;
     std::copy_if(m_new_faces.begin(), m_new_faces.end(), std::back_inserter(high_faces), [&](const int f)
-                 { return m_gaps[f].bound() > part_of_ridges * m_second_look; });
+    {
+      const auto sides = CGAL::halfedges_around_face(halfedge(m_deviations.faces[f].face, tm), tm);
+      // what is too high at an edge is so for both its faces
+      return is_high(f) || std::any_of(sides.begin(), sides.end(), [&](const halfedge_descriptor h)
+                                       { return is_high(index_at(opposite(h, tm))); });
+    });
     measure_at(high_faces, [&](const int f) { return ridge_points_over_face(m_mesh, m_deviations.faces[f].face); },
                [&](const int f, const std::vector<Ridge_point>& points)
     {

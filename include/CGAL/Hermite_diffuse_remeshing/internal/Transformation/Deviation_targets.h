@@ -159,10 +159,12 @@ private:
   // The height of the model over a facet falls with the square of the length.
   int count_parts(const int f, const double height) const
   {
+    const double needed = std::sqrt(height / (tolerance * m_bound));
+    if(needed <= 1.)
+      return 1;
     double longest_side = 0.;
     for(int k = 0; k < 3; ++k)
       longest_side = (std::max)(longest_side, (triangles().point(f, next(k)) - triangles().point(f, k)).norm());
-    const double needed = std::sqrt(height / (tolerance * m_bound));
     const double useful = height > steep * longest_side ? (std::numeric_limits<double>::infinity)()
                                                         : longest_side / (least_distance * smallest_size(f));
     return (std::max)(1, static_cast<int>(std::ceil((std::min)({needed, useful, largest_number_of_parts}))));

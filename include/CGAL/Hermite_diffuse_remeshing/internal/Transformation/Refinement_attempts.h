@@ -36,16 +36,19 @@ class Refinement_attempts
   // A deviation falls with the square of the length, and a step lowers the length visibly: a gain smaller than
   // this is no more than another face in the same place.
   static constexpr double clearly_lower = 0.9;
-  static constexpr int patience = 3;
+  // Which triangles come of a refinement is partly a matter of luck, and one that has nearly done needs little of it.
+  static constexpr int patience = 3, patience_near_the_bound = 8;
+  static constexpr double near_the_bound = 1.25;
 
   std::multimap<int, Attempt> m_attempts;             // by the face of the reference
   int m_round = 0;
 
 public:
-  // Has refining at this place failed `patience` times? Has to be asked about every face that deviates too
-  // much. `reference_faces`: those at the place, where it was measured first.
+  // Has refining at this place failed so often? Has to be asked about every face that deviates by more than `bound`.
+  // `reference_faces`: those at the place, where it was measured first.
   template <typename Integers>
-  bool is_hopeless(const Integers& reference_faces, const Vector& point, const double reach, const double deviation)
+  bool is_hopeless(const Integers& reference_faces, const Vector& point, const double reach, const double deviation,
+                   const double bound)
   {
     Attempt current{point, reach, deviation, 0, m_round};
     if(const Attempt* const before = nearest(reference_faces, point))
@@ -55,7 +58,7 @@ public:
       current.number_of_failures = before->number_of_failures + !is_progress;
     }
     m_attempts.insert(std::make_pair(reference_faces.front(), current));
-    return current.number_of_failures >= patience;
+    return current.number_of_failures >= (deviation <= near_the_bound * bound ? patience_near_the_bound : patience);
   }
 
   void begin_round() { ++m_round; }

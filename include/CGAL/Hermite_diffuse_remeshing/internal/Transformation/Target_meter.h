@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviation_targets.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Deviations.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/closest_face.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 
 #include <CGAL/number_utils.h>
 
@@ -57,47 +58,59 @@ public:
     , m_targets(targets), m_deviations(deviations)
   {}
 
-  // The closest faces of the points of the model are near each other like the points, so that a walk from one to the
-  // next is short. Where it ends far away, all new faces are searched.
+  // What is found from a face near by, in several threads, is a distance already; where it is large, all new faces are
+  // searched.
   void measure(const Progress& progress)
   {
-    std::vector<int> last_face(m_mesh.reference().surface.triangles().number_of_faces(), -1);  // of those of the model
-    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
-      last_face[m_mesh.hint(m_deviations.faces[i].face)] = static_cast<int>(i);
+    std::vector<Deviation_target*> targets;
+    for(Deviation_target& target : m_targets.targets())
+      if(target.face == -1)
+        targets.push_back(&target);
+    const std::vector<int> near = faces_near_reference();
+    const auto walk = [&](const Vector& p, const int start)
+    { return start != -1 ? walk_to_closest(m_mesh, m_deviations.faces[start].face, p) : Closest(); };
     std::unique_ptr<Face_search<UserMesh> > search;
-    const auto closest = [&](const Vector& p, const int start)
+    const auto look_farther = [&](const Vector& p, const int start, const Closest& found)
     {
-      Closest result;
-      if(start != -1)
-        result = walk_to_closest(m_mesh, m_deviations.faces[start].face, p);
-      if(start != -1 && result.distance2 <= m_second_look * m_second_look)
-        return result;
+      if(start != -1 && found.distance2 <= m_second_look * m_second_look)
+        return found;
       if(search == nullptr)
         search.reset(new Face_search<UserMesh>(m_mesh, m_new_faces, progress));
       const Closest other = search->closest(p);
-      return start == -1 || other.distance2 < result.distance2 ? other : result;
+      return start == -1 || other.distance2 < found.distance2 ? other : found;
     };
-    int last = -1;
     double largest = 0.;
-    for(Deviation_target& target : m_targets.targets())
+    propose_and_accept(m_mesh, targets.begin(), targets.end(), [&](const Deviation_target* const target)
+                       { return walk(target->point, near[target->location.face]); },
+                       [&](Deviation_target* const target, const Closest& found, std::size_t)
     {
-      if(target.face != -1)
-        continue;
-      m_mesh.give_up_if_stopped();
-      int& near = last_face[target.location.face];
-      const Closest at_target = closest(target.point, near != -1 ? near : last);
-      target.face = near = last = get(m_index, at_target.face);
-      add_target(target.point, at_target, target.location);
+      const Closest at_target = look_farther(target->point, near[target->location.face], found);
+      target->face = get(m_index, at_target.face);
+      add_target(target->point, at_target, target->location);
       // Above the bound it matters no more how far a point is, but for the farthest.
       const double distance = std::sqrt(at_target.distance2);
       if(distance > part_to_look_around * m_bound && (distance <= m_bound || distance > largest)
-         && m_targets.number_of_parts(target.location) > 1)
-        climb(target, at_target, closest);
+         && m_targets.number_of_parts(target->location) > 1)
+        climb(*target, at_target, [&](const Vector& p, const int start) { return look_farther(p, start, walk(p, start)); });
       largest = (std::max)(largest, distance);
-    }
+    });
+    m_mesh.give_up_if_stopped();
   }
 
 private:
+  // For each face of the reference one of the mesh: over it, or over one that comes before. They are sorted by their
+  // places, so that the walk from there is short.
+  std::vector<int> faces_near_reference() const
+  {
+    std::vector<int> result(m_mesh.reference().surface.triangles().number_of_faces(), -1);
+    for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
+      result[m_mesh.hint(m_deviations.faces[i].face)] = static_cast<int>(i);
+    int last = -1;
+    for(int& i : result)
+      last = i = i != -1 ? i : last;
+    return result;
+  }
+
   void add_target(const Vector& p, const Closest& closest, const Location& location)
   {
     const double distance = std::sqrt(closest.distance2);

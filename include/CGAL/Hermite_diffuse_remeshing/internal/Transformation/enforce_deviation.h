@@ -141,7 +141,7 @@ private:
     for(int k = 1; k < 4; ++k, h = next(h, tm))
       reference_faces[k] = m_mesh.data(target(h, tm)).site.location.face;
     const bool is_hopeless =
-      m_attempts.is_hopeless(reference_faces, entry.point, longest, entry.deviation);
+      m_attempts.is_hopeless(reference_faces, entry.point, longest, entry.deviation, m_maximum_deviation);
     return is_hopeless ? DEVIATION_AT_FOLD : DEVIATION_AFTER_STOP;
   }
 };

@@ -92,14 +92,17 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
   }
   if(after.score >= score_floor)
     return true;
+  Worth before;
+  for(const auto side : sides)
+    before.add(face_worth(mesh, side));
+  // of flat triangles no operation would find back
+  if(after.quality <= least_score_of_half && before.quality > least_score_of_half)
+    return false;
   // Nothing else follows a feature where the triangles at it are turned over, as at a fold of the model: there its
   // edges would keep the length of the input.
   constexpr double longest_length_on_curve = 4.;
   if(mesh.is_on_curve(h) && mesh.relative_length(h) > longest_length_on_curve)
     return true;
-  Worth before;
-  for(const auto side : sides)
-    before.add(face_worth(mesh, side));
   return after.score > least_score_of_half ? after.score >= share_of_half * before.score
                                            : after.score > before.score + score_margin;
 }
