@@ -147,7 +147,7 @@ private:
 };
 
 // Lowers sizes where faces deviate too much, and adapts and measures again what that changes, until no face
-// deviates too much, or until none of those that do can be helped.
+// deviates too much, or until none of those that do can be helped. Throws Interrupted on request.
 template <typename UserMesh>
 Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& sizes, Remesher<UserMesh>& remesher,
                                        const double maximum_deviation, std::size_t& number_of_rounds)
@@ -179,7 +179,8 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
     const std::size_t number = refiner.find_obstacles(meter.deviations().faces);
     const bool is_last = number == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
                       || settlements >= maximum_number_of_settlements;
-    if(mesh.is_stopped() || (is_last && is_finished))
+    mesh.give_up_if_stopped();
+    if(is_last && is_finished)
       break;
     const std::size_t since = mesh.number_of_changes();
     if(!is_last)
