@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Supervisor.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/order_for_locality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/repair_input.h>
@@ -91,6 +92,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
 
   Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
   check_is_manifold(tmesh, input.vertex_descriptors, input.triangles);
+  order_for_locality(get(CGAL::dynamic_face_property_t<int>(), tmesh), input);
   const Size_options size_options = read_size_options(pack, input.traits, input.triangles, input.face_descriptors);
 
   std::vector<char> is_remeshed = select_faces(faces, input);
