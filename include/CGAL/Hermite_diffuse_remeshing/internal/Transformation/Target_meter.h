@@ -98,16 +98,28 @@ public:
   }
 
 private:
-  // For each face of the reference one of the mesh: over it, or over one that comes before. They are sorted by their
-  // places, so that the walk from there is short.
+  // For each face of the reference one of the mesh: over it, or over the nearest one around that has some, in steps
+  // from face to face across interior edges; -1 where there is none.
   std::vector<int> faces_near_reference() const
   {
-    std::vector<int> result(m_mesh.reference().surface.triangles().number_of_faces(), -1);
+    const Cut_mesh& cut_mesh = m_mesh.reference().surface.cut_mesh();
+    std::vector<int> result(m_mesh.reference().surface.triangles().number_of_faces(), -1), queue;
     for(std::size_t i = 0; i < m_deviations.faces.size(); ++i)
-      result[m_mesh.hint(m_deviations.faces[i].face)] = static_cast<int>(i);
-    int last = -1;
-    for(int& i : result)
-      last = i = i != -1 ? i : last;
+    {
+      int& near = result[m_mesh.hint(m_deviations.faces[i].face)];
+      if(near == -1)
+        queue.push_back(m_mesh.hint(m_deviations.faces[i].face));
+      near = static_cast<int>(i);
+    }
+    for(std::size_t at = 0; at < queue.size(); ++at)
+      for(int k = 0; k < 3; ++k)
+      {
+        const int beside = cut_mesh.neighbor(queue[at], k);
+        if(beside == -1 || result[beside] != -1)
+          continue;
+        result[beside] = result[queue[at]];
+        queue.push_back(beside);
+      }
     return result;
   }
 
