@@ -42,6 +42,11 @@ struct Bounding_box
     return Bounding_box(Vector::Constant(infinity), Vector::Constant(-infinity));
   }
 
+  Bounding_box enlarged(const double distance) const
+  {
+    return Bounding_box((low.array() - distance).matrix(), (high.array() + distance).matrix());
+  }
+
   void add(const Bounding_box& other)
   {
     low = low.cwiseMin(other.low);

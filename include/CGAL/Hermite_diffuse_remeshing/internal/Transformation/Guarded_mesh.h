@@ -12,16 +12,13 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Clear_ball.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Intersection_guard.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Normal_cone.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Sheet_view.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Sheet_search.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,35 +51,27 @@ private:
   {
     int ball = -1;
     double bound = (std::numeric_limits<double>::infinity)();       // no ball around it has a larger radius
+    // how far it may be from where the guard has last been told that it is, and how far it is
+    double slack = 0., drift = 0.;
     bool is_moved = false;              // the guard has still to be told of the faces around it
   };
-  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<std::size_t> >::type Search_map;
 
   std::unique_ptr<Intersection_guard<TriangleMesh> > m_guard;       // null: intersections are not looked for
   std::vector<Clear_ball> m_balls;
   std::vector<Surroundings> m_surroundings;                         // by the number of the vertex
   std::vector<int> m_moved;                                         // vertices that have moved, of which some are gone
-  Search_map m_search;                                              // the last search that has met the face
-  std::size_t m_number_of_searches = 0;
-  Sheet_view m_view;
-  struct Met_face { halfedge_descriptor halfedge; Numbered_triangle triangle; };     // its corners follow the halfedge
-  std::vector<Met_face> m_met;                                      // by the search
-  std::vector<std::pair<double, std::size_t> > m_queue;             // distances of faces that were met; a heap
+  std::unique_ptr<Sheet_search<UserMesh> > m_search;
 
   // A search looks farther than asked for, as many times as far, so that its ball serves the neighbours too.
   static constexpr double reach_of_search = 5.;
-  // and as far as it has met so many faces, in a fine mesh that is being coarsened for one
-  static constexpr std::size_t satisfying_number_of_faces = 256;
   // Where no ball can be as many times as large as asked for, it takes less time to test the faces near by than to find it.
   static constexpr double least_useful_ball = 2.;
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
   // than what is clear.
   static constexpr double clearance = 1.25;
-  // Angle to the axis of the faces that are found in a ball, in radians. What is between this and the angle of those
-  // that may be made there is what normals change while chords of the surface are exchanged.
-  static constexpr double largest_angle_found = 1.35;
-  // cones are not made narrower: most faces need no change of the cone then
-  static constexpr double least_angle = 0.25;
+  // Of the shortest edge around a vertex: it may move so far before the guard is told, which takes its faces for larger
+  // until then. Relocations are smaller as a rule.
+  static constexpr double part_of_slack = 0.1;
 
 public:
   using Base::tmesh;
@@ -102,12 +91,17 @@ public:
       return;
     m_guard.reset(new Intersection_guard<TriangleMesh>(this->m_user.tmesh,
                                                        model_diameter(reference.surface.triangles())));
-    m_search = get(CGAL::dynamic_face_property_t<std::size_t>(), this->m_user.tmesh);
+    m_search.reset(new Sheet_search<UserMesh>(*this, this->m_user.tmesh));
     m_surroundings.resize(this->m_vertices.size());
     std::size_t step = 0;
-    for(const face_descriptor f : faces(tmesh()))
+    for(const vertex_descriptor v : vertices(tmesh()))
       if(this->is_stopped_at(step++))
         return;                         // no operation will ask the guard
+      else if(index(v) != -1)
+        m_surroundings[index(v)].slack = slack_of(v);
+    for(const face_descriptor f : faces(tmesh()))
+      if(this->is_stopped_at(step++))
+        return;
       else
         note(f);
   }
@@ -150,8 +144,13 @@ protected:
   // \name Changes of faces
   void note(const face_descriptor f)
   {
-    if(m_guard)
-      m_guard->note(f, triangle(f).points);
+    if(!m_guard)
+      return;
+    const Numbered_triangle t = triangle(f);
+    double slack = 0.;
+    for(const int number : t.vertices)
+      slack = (std::max)(slack, m_surroundings[number].slack);
+    m_guard->note(f, Bounding_box(t.points).enlarged(slack));
   }
 
   // The guard is told when it is asked: many vertices have moved again until then.
@@ -187,8 +186,17 @@ protected:
 
   void move_ball(const int number, const double distance)
   {
-    if(m_guard)
-      m_surroundings[number].bound += distance;
+    if(!m_guard)
+      return;
+    m_surroundings[number].bound += distance;
+    m_surroundings[number].drift += distance;
+  }
+
+  // nothing around v is new
+  void note_relocated(const vertex_descriptor v)
+  {
+    if(m_guard && !(m_surroundings[index(v)].drift <= m_surroundings[index(v)].slack))
+      note_around(v);
   }
 
 private:
@@ -196,20 +204,23 @@ private:
   // wait, nothing is allowed any more.
   bool note_moved()
   {
-    ++m_number_of_searches;
+    m_search->begin();
     std::size_t step = 0;
     for(const int number : m_moved)
     {
       if(this->is_stopped_at(step++))
         return false;
       m_surroundings[number].is_moved = false;
-      if(this->vertex(number) != Graph_traits::null_vertex())
-        visit_copies(this->vertex(number), [&](const vertex_descriptor copy)
-        {
-          for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
-            if(!CGAL::is_border(h, tmesh()) && is_met_first(face(h, tmesh())))
-              note(face(h, tmesh()));
-        });
+      if(this->vertex(number) == Graph_traits::null_vertex())
+        continue;
+      m_surroundings[number].slack = slack_of(this->vertex(number));
+      m_surroundings[number].drift = 0.;
+      visit_copies(this->vertex(number), [&](const vertex_descriptor copy)
+      {
+        for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
+          if(!CGAL::is_border(h, tmesh()) && m_search->is_met_first(face(h, tmesh())))
+            note(face(h, tmesh()));
+      });
     }
     m_moved.clear();
     return true;
@@ -232,30 +243,43 @@ private:
     return around.bound >= least_useful_ball * radius && search(v, radius) ? around.ball : -1;
   }
 
-  // Looks for a ball around v, with the radius at least. Faces are met in the order of their distances, as far as they
-  // hang together; the ball ends at the first that turns from the others or lies above them, or at another sheet. Where
-  // no ball was found beside, that of a thin sheet as a rule, the other one is looked for before faces farther away.
+  double slack_of(const vertex_descriptor v) const
+  {
+    double shortest = (std::numeric_limits<double>::infinity)();
+    visit_copies(v, [&](const vertex_descriptor copy)
+    {
+      for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
+        shortest = (std::min)(shortest, this->length(h));
+    });
+    return std::isfinite(shortest) ? part_of_slack * shortest : 0.;
+  }
+
+  // Looks for a ball around v, with the radius at least. Faces are met as far as they hang together; the ball ends at
+  // the nearest that turns from the others or lies above them, or at another sheet. Where no ball was found beside,
+  // that of a thin sheet as a rule, the other one is looked for before faces farther away.
   bool search(const vertex_descriptor v, const double radius)
   {
     if(!note_moved())
       return false;
     const Vector center = point(v);
     const double needed = clearance * radius;
-    double clear = reach_of_search * needed;
-    begin_search(v);
-    Normal_cone cone(area_vector(m_met.front().triangle).normalized(), least_angle);
-    m_view.clear();
+    m_search->begin_at(v);
+    double clear = (std::max)(needed, (std::min)(reach_of_search * needed, m_search->satisfying_reach()));
     Surroundings& around = m_surroundings[index(v)];
     if(std::isfinite(around.bound))
     {
-      meet_up_to(needed, needed, center, cone, clear);
+      m_search->meet_up_to(needed);
+      clear = m_search->facing_radius(clear);
       if(clear >= needed)
         clear = (std::min)(clear, distance_of_other_sheet(center, needed));
     }
     if(clear >= needed)
-      meet_up_to(clear, needed, center, cone, clear);
+    {
+      m_search->meet_up_to(clear);
+      clear = m_search->facing_radius(clear);
+    }
     if(clear >= needed)
-      clear = m_view.simple_radius(cone.axis(), clear);
+      clear = m_search->simple_radius(clear);
     if(clear >= needed)
       clear = (std::min)(clear, distance_of_other_sheet(center, clear));
     if(clear < needed)
@@ -264,7 +288,7 @@ private:
       return false;
     }
     around.ball = static_cast<int>(m_balls.size());
-    m_balls.push_back({center, cone.axis(), clear / clearance});
+    m_balls.push_back({center, m_search->axis(), clear / clearance});
     tell_vertices_inside();
     return true;
   }
@@ -273,7 +297,7 @@ private:
   void tell_vertices_inside()
   {
     const Clear_ball& found = m_balls.back();
-    for(const Met_face& met : m_met)
+    for(const auto& met : m_search->met())
       for(int k = 0; k < 3; ++k)
       {
         int& ball = m_surroundings[met.triangle.vertices[k]].ball;
@@ -281,25 +305,6 @@ private:
         if(found.depth(p) > (ball == -1 ? 0. : m_balls[ball].depth(p)))
           ball = static_cast<int>(m_balls.size()) - 1;
       }
-  }
-
-  // meets the faces up to a distance, or to where the ball ends: `clear` becomes smaller then
-  void meet_up_to(const double limit, const double needed, const Vector& center, Normal_cone& cone, double& clear)
-  {
-    while(!m_queue.empty() && m_queue.front().first < (std::min)(limit, clear))
-    {
-      const double distance = m_queue.front().first;
-      const Met_face met = m_met[m_queue.front().second];
-      std::pop_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
-      m_queue.pop_back();
-      if(!cone.add(area_vector(met.triangle).normalized(), largest_angle_found)
-         || (m_met.size() >= satisfying_number_of_faces && distance >= needed))
-        clear = distance;
-      m_view.add(met.triangle, distance);
-      halfedge_descriptor h = met.halfedge;
-      for(int k = 0; k < 3; ++k, h = next(h, tmesh()))
-        meet(opposite(h, tmesh()), met.triangle, k, center, clear);
-    }
   }
 
   // that of the nearest face, closer than `limit`, that the search has not met; else infinity
@@ -310,48 +315,11 @@ private:
     m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f, const Bounding_box& box)
     {
       const double distance = box.distance(center);
-      if(distance < result && get(m_search, f) != m_number_of_searches)
+      if(distance < result && !m_search->has_met(f))
         result = distance;
       return true;
     });
     return result < limit ? result : (std::numeric_limits<double>::infinity)();
-  }
-
-  void begin_search(const vertex_descriptor v)
-  {
-    ++m_number_of_searches;
-    m_met.clear();
-    m_queue.clear();
-    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
-    {
-      const vertex_descriptor s = source(h, tmesh());
-      meet(h, {{{index(v), index(s)}}, {{point(v), point(s)}}}, 0, point(v), (std::numeric_limits<double>::infinity)());
-    }
-  }
-
-  bool is_met_first(const face_descriptor f)
-  {
-    if(get(m_search, f) == m_number_of_searches)
-      return false;
-    put(m_search, f, m_number_of_searches);
-    return true;
-  }
-
-  // The face of h, beside the corners k and k + 1 of another; it waits for its turn if it is closer than `limit`.
-  void meet(const halfedge_descriptor h, const Numbered_triangle& beside, const int k, const Vector& center, const double limit)
-  {
-    if(CGAL::is_border(h, tmesh()) || !is_met_first(face(h, tmesh())))
-      return;
-    const int l = (k + 1) % 3;
-    const vertex_descriptor apex = target(next(h, tmesh()), tmesh());
-    const Numbered_triangle t = {{{beside.vertices[l], beside.vertices[k], index(apex)}},
-                                 {{beside.points[l], beside.points[k], point(apex)}}};
-    const double distance = Bounding_box(t.points).distance(center);
-    if(!(distance < limit))
-      return;
-    m_queue.push_back(std::make_pair(distance, m_met.size()));
-    std::push_heap(m_queue.begin(), m_queue.end(), std::greater<std::pair<double, std::size_t> >());
-    m_met.push_back({h, t});
   }
 
   // Triangles that turn from the axis end a ball for good; where a border moves, it has to be found again.

@@ -49,11 +49,10 @@ public:
       put(m_cells, f, nullptr);
   }
 
-  // the face is new, or has moved
-  void note(const face_descriptor f, const std::array<Vector, 3>& points)
+  // The face is new, or has moved; it is inside the box, and may move there.
+  void note(const face_descriptor f, const Bounding_box& box)
   {
     Cell* const cell = get(m_cells, f);
-    const Bounding_box box(points);
     if(cell != nullptr && Grid::holds(*cell, box))
     {
       Grid::set_box(f, box, *cell);

@@ -178,7 +178,7 @@ public:
       put_point(copy, site.point);
       m_user.visitor.after_vertex_relocation(copy);
     });
-    note_around(v);
+    Base::note_relocated(v);
     touch_around(v);
     ++m_counts.relocations;
   }
