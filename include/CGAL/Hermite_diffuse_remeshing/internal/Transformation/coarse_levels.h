@@ -32,10 +32,10 @@ void set_level(Working_mesh<UserMesh>& mesh, const int level)
 template <typename UserMesh>
 int coarsest_level(const Working_mesh<UserMesh>& mesh)
 {
-  // faces: below this nothing is gained, and features are a large part of the mesh
-  constexpr double least_number = 2000.;
+  // faces: below this little is gained, and features are so large a part of the mesh that they shape its triangles
+  constexpr double least_number = 4000.;
   // of the input's faces: it needs not be made much coarser only to be refined again
-  constexpr double least_part_of_input = 0.5;
+  constexpr double least_part_of_input = 0.25;
   // From one level to the next the number of faces falls by four; by less than this it is the shape that rules.
   constexpr double least_ratio = 2.5;
   if(is_nearly_adapted(mesh))
