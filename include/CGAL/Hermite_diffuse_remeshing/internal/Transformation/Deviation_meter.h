@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_gaps.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Ridge_point.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Target_meter.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/measure_edge.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
 
@@ -53,13 +54,14 @@ class Deviation_meter
   std::vector<Vector> m_normals;        // of those
   double m_second_look = 0.;            // distances below it need none
 
-  // relative to the local size; a deviation needs two digits
-  static constexpr double tolerance = 1e-3;
   // a face is measured at its vertices, its middles and its centroid
   static constexpr double weight_in_mean = 1. / 7.;
   // of the height from which a second look is needed: lower faces need none at ridges. A ridge across an edge is twice
   // as high as the model over its middle, the rest is for what a curvature against it takes away from there.
   static constexpr double part_of_ridges = 0.25;
+  // Of the height of the model over a face: a ridge that may rise by less, in a face that is not among the highest, is
+  // left to the part by which all deviations are raised.
+  static constexpr double negligible_ridge = 0.02;
 
 public:
   // `bound`: deviations below it need no second look
@@ -202,24 +204,6 @@ private:
       m_deviations.faces[f].mean += weight_in_mean * distance;
   }
 
-  // Newton's method starts from the facet's point that is closest. Where the surface is steep over its
-  // facets it may end at another part of the surface: before a point counts as too far away, the
-  // locations of the vertices around it are tried.
-  Reference::Nearest project(const Vector& p, const halfedge_descriptor h) const
-  {
-    const Reference& reference = m_mesh.reference();
-    const TriangleMesh& tm = m_mesh.tmesh();
-    Reference::Nearest nearest = reference.nearest(p, reference.locator.walk(p, m_mesh.hint(h)), tolerance);
-    if(nearest.distance > m_bound)
-      for(const auto v : {source(h, tm), target(h, tm), target(next(h, tm), tm)})
-      {
-        const Reference::Nearest other = reference.nearest(p, m_mesh.data(v).site.location, tolerance);
-        if(other.distance < nearest.distance)
-          nearest = other;
-      }
-    return nearest;
-  }
-
   int index_at(const halfedge_descriptor h) const
   {
     return m_mesh.is_border_or_outside(h) ? -1 : get(m_index, face(h, m_mesh.tmesh()));
@@ -245,12 +229,6 @@ private:
     return l[0] * p[0] + l[1] * p[1] + l[2] * p[2];
   }
 
-  struct Edge_measurement
-  {
-    Reference::Nearest nearest;
-    double deviation;                   // on curves, of the whole arc
-  };
-
   void measure_edges()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
@@ -263,19 +241,21 @@ private:
         if(!is_new(index_at(opposite(h, tm))) || m_mesh.index(source(h, tm)) < m_mesh.index(target(h, tm)))
           new_edges.push_back(h);
     }
-    measure_at(new_edges, [&](const halfedge_descriptor h) { return measure_edge(h); },
+    measure_at(new_edges, [&](const halfedge_descriptor h) { return measure_edge(m_mesh, h, m_bound); },
                [&](const halfedge_descriptor h, const Edge_measurement& measured)
     {
       const bool is_on_curve = m_mesh.is_on_curve(h);
       const Reference::Nearest& nearest = measured.nearest;
-      m_deviations.add(middle(h), measured.deviation, nearest.location, {index_at(h), index_at(opposite(h, tm))},
+      m_deviations.add(middle_of_chord(m_mesh, h), measured.deviation, nearest.location, {index_at(h), index_at(opposite(h, tm))},
                        is_on_curve && m_mesh.is_protected(h));
       for(const halfedge_descriptor side : {h, opposite(h, tm)})
       {
         const int i = index_at(side);
         add_to_mean(nearest.distance, i);
-        if(is_new(i))
-          set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
+        if(!is_new(i))
+          continue;
+        set_gap(side, is_on_curve ? 0. : nearest.distance, nearest.gap);
+        m_gaps[i].ridge = (std::max)(m_gaps[i].ridge, measured.ridge);
       }
     });
   }
@@ -283,7 +263,13 @@ private:
   void measure_ridges()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
-    const auto is_high = [&](const int f) { return f != -1 && m_gaps[f].bound() > part_of_ridges * m_second_look; };
+    const auto is_high = [&](const int f)
+    {
+      if(f == -1 || !(m_gaps[f].bound() > part_of_ridges * m_second_look))
+        return false;
+      return m_gaps[f].ridge > negligible_ridge * m_gaps[f].bound()
+          || m_gaps[f].bound() + m_gaps[f].ridge > m_second_look;
+    };
     std::vector<int> high_faces;
     std::copy_if(m_new_faces.begin(), m_new_faces.end(), std::back_inserter(high_faces), [&](const int f)
     {
@@ -298,33 +284,6 @@ private:
       for(const Ridge_point& ridge : points)
         m_deviations.add(ridge.point, ridge.distance, ridge.location, {f});
     });
-  }
-
-  Vector middle(const halfedge_descriptor h) const
-  {
-    return (m_mesh.point(source(h, m_mesh.tmesh())) + m_mesh.point(target(h, m_mesh.tmesh()))) / 2.;
-  }
-
-  Edge_measurement measure_edge(const halfedge_descriptor h) const
-  {
-    const Vector p = middle(h);
-    const int curve = m_mesh.curve(h);
-    Edge_measurement result;
-    if(curve == -1)
-    {
-      result.nearest = project(p, h);
-      result.deviation = result.nearest.distance;
-      return result;
-    }
-    const double u = m_mesh.parameter(source(h, m_mesh.tmesh()), curve), v = m_mesh.parameter(target(h, m_mesh.tmesh()), curve);
-    const Site site = m_mesh.reference().curve_site(curve, (u + v) / 2.);
-    result.nearest.location = site.location;
-    result.nearest.gap = p - site.point;
-    result.nearest.distance = result.nearest.gap.norm();
-    // the arc may be farther away than its middle
-    result.deviation = (std::max)(result.nearest.distance, m_mesh.reference().curves.curves[curve].spline
-                                    .distance_to_chord((std::min)(u, v), (std::max)(u, v)));
-    return result;
   }
 
   // At an edge on a curve, which the model may leave in the plane of the face, only what is across the plane counts.
@@ -354,7 +313,7 @@ private:
     measure_at(new_vertices, [&](const halfedge_descriptor h)
     {
       const Site& site = m_mesh.site(target(h, tm));
-      return m_mesh.reference().nearest(site.point, site.location, tolerance);
+      return m_mesh.reference().nearest(site.point, site.location, tolerance_of_deviation);
     }, [&](const halfedge_descriptor h, const Reference::Nearest& nearest)
     {
       m_deviations.add(m_mesh.point(target(h, tm)), nearest.distance, nearest.location, {index_at(h)});
@@ -388,7 +347,7 @@ private:
 
   Reference::Nearest nearest_at(const int f, const Barycentric& l) const
   {
-    return project(point_of_face(f, l), halfedge(m_deviations.faces[f].face, m_mesh.tmesh()));
+    return nearest_on_model(m_mesh, point_of_face(f, l), halfedge(m_deviations.faces[f].face, m_mesh.tmesh()), m_bound);
   }
 };
 

@@ -27,6 +27,7 @@ struct Face_gaps
 {
   std::array<double, 3> middles = {{0., 0., 0.}};       // of side k from corner k to the next
   double centroid = 0.;
+  double ridge = 0.;                    // by how much a ridge across a side may rise above these
 
   double operator()(const Barycentric& l) const
   {

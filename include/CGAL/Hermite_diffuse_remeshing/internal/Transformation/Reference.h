@@ -70,6 +70,7 @@ struct Reference
     Location location;
     double distance;
     Vector gap = Vector::Zero();        // from the surface to the point
+    Local_quadric quadric = Local_quadric();            // the fit at the location
   };
 
   // Distance of p to the surface near a location. The locator knows the fit without the displacement, so
@@ -93,7 +94,7 @@ struct Reference
       const Vector change = displacement_of(projection.location, projection.quadric) - displaced;
       const double distance = (gap - change).norm();
       if(distance < best.distance)
-        best = {projection.location, distance, gap - change};
+        best = {projection.location, distance, gap - change, projection.quadric};
       if(change.norm() <= tolerance * distance)
         break;
       displaced += change;
