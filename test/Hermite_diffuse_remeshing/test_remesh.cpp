@@ -366,6 +366,26 @@ void test_narrow_strips()
   }
 }
 
+// No triangle in a sharp corner is better than the one with equal sides, whose ends move along two features.
+void test_sharp_corners()
+{
+  std::cout << "sharp corners" << std::endl;
+  for(const double degrees : {12., 16., 20.})
+  {
+    const double angle = degrees * CGAL_PI / 180., half = angle / 2., diagonal = 1.2;
+    analytic::Triangles kite;
+    kite.points = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{diagonal * std::cos(half), diagonal * std::sin(half), 0.}},
+                   {{std::cos(angle), std::sin(angle), 0.}}};
+    kite.faces = {{{0, 1, 2}}, {{0, 2, 3}}};
+    Surface_mesh mesh = make_mesh<Surface_mesh>(kite);
+    const auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_edge_length(0.17));
+    const double best = std::sqrt(3.) * std::sin(angle) / (1. + std::sin(half));
+    std::cout << "  smallest quality over the best one in a corner of " << degrees << " degrees: "
+              << report.smallest_quality / best << std::endl;
+    assert(report.smallest_quality >= 0.999 * best);
+  }
+}
+
 // At a border where the input is folded back on itself all triangles are turned over. Its edges, six times as long as
 // their sizes, are split all the same: the worst triangle would stay at one of them. Nor does one that is turned over
 // give way to a flat one.
@@ -756,6 +776,7 @@ int main(int argc, char** argv)
   test_constraints();
   test_close_corners();
   test_narrow_strips();
+  test_sharp_corners();
   test_folded_border();
   test_pleat();
   test_maximum_deviation();
