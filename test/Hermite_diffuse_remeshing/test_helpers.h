@@ -78,17 +78,18 @@ long euler_characteristic(const Mesh& mesh)
   return n[0] - n[1] + n[2];
 }
 
-// the corners that the classification finds in a mesh
+// The corners that the classification finds in a mesh, and the vertices at which the remeshing, in its own order of the
+// faces, cuts closed feature curves
 template <typename Mesh>
 std::vector<analytic::Point> corners(const Mesh& mesh, const double sharp_angle = 40.)
 {
   using namespace HDR::internal;
-  std::vector<typename boost::graph_traits<Mesh>::face_descriptor> descriptors;
-  const Indexed_triangles triangles = read_triangles(mesh, get(CGAL::vertex_point, mesh), Kernel(), descriptors);
-  const Feature_options options =
-    read_feature_options(pack(params::sharp_dihedral_angle(sharp_angle)));
-  const Input_model model(triangles, options, Model_options(), [](int, int) { return HDR::internal::UNMARKED_EDGE; },
-                          [](int) { return false; });
+  const auto named = pack(params::sharp_dihedral_angle(sharp_angle));
+  auto input = read_input<Kernel>(mesh, named);
+  order_for_locality(get(CGAL::dynamic_face_property_t<int>(), mesh), input);
+  const Indexed_triangles& triangles = input.triangles;
+  const Input_model model(triangles, read_feature_options(named), Model_options(),
+                          [](int, int) { return HDR::internal::UNMARKED_EDGE; }, [](int) { return false; });
   std::vector<analytic::Point> result;
   for(int v = 0; v < triangles.number_of_vertices(); ++v)
     if(is_corner(model.vertex_classes[v]))
