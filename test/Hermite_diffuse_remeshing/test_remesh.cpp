@@ -342,30 +342,6 @@ void test_close_corners()
   assert(report.smallest_quality > 1.4 * std::sqrt(3.) * width / length);
 }
 
-// The sides of a thin box are strips between two features. Vertices inside would not make better triangles there, only
-// shorter edges do, whatever the size of the faces beside them.
-void test_narrow_strips()
-{
-  std::cout << "narrow strips" << std::endl;
-  for(const double width : {0.02, 0.03})
-  {
-    analytic::Triangles box;
-    for(const double z : {0., width})
-      for(const double y : {0., 0.7})
-        for(const double x : {0., 1.})
-          box.points.push_back({{x, y, z}});
-    box.faces = {{{0, 2, 1}}, {{1, 2, 3}}, {{4, 5, 6}}, {{5, 7, 6}}, {{0, 1, 4}}, {{1, 5, 4}},
-                 {{2, 6, 3}}, {{3, 6, 7}}, {{0, 4, 2}}, {{2, 4, 6}}, {{1, 3, 5}}, {{3, 7, 5}}};
-    const Surface_mesh input = make_mesh<Surface_mesh>(box);
-    Surface_mesh mesh = input;
-    const auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_edge_length(0.2));
-    check_result(input, mesh);
-    std::cout << "  width " << width << ": " << report.number_of_faces << " faces, smallest quality "
-              << report.smallest_quality << ", mean " << report.mean_quality << std::endl;
-    assert(report.smallest_quality >= 0.57 && report.mean_quality >= 0.77);
-  }
-}
-
 // No triangle in a sharp corner is better than the one with equal sides, whose ends move along two features.
 void test_sharp_corners()
 {
@@ -775,7 +751,6 @@ int main(int argc, char** argv)
   test_part_of_mesh();
   test_constraints();
   test_close_corners();
-  test_narrow_strips();
   test_sharp_corners();
   test_folded_border();
   test_pleat();

@@ -37,7 +37,7 @@ class Refinement_attempts
   // this is no more than another face in the same place.
   static constexpr double clearly_lower = 0.9;
   // Which triangles come of a refinement is partly a matter of luck, and one that has nearly done needs little of it.
-  static constexpr int patience = 3, patience_near_the_bound = 12;
+  static constexpr int patience = 3, patience_near_the_bound = 8;
   static constexpr double near_the_bound = 1.25;
 
   std::multimap<int, Attempt> m_attempts;             // by the face of the reference

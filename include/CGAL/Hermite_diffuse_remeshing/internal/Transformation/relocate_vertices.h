@@ -169,16 +169,13 @@ Site better_site(const Working_mesh<UserMesh>& mesh, const typename Working_mesh
 }
 
 // Moves every vertex near which something has changed to where its triangles are best on the whole and
-// the worst is no worse than before.
+// the worst is no worse than before, unless all of them have a better score than `good_score`.
 template <typename UserMesh>
-std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since)
+std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since, const double good_score)
 {
   typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
   // of the badness: a smaller gain is not worth a move, and the sweeps come to rest
   constexpr double least_gain = 0.02;
-  // Where all triangles around are as good a search takes as long as elsewhere, and gains less than a hundredth. After
-  // the coarser levels most are.
-  constexpr double good_score = 0.9;
   return relocate_vertices(mesh, since, [&](const vertex_descriptor v) -> std::optional<Site>
   {
     Star star(mesh.reference(), Star::MEAN);
