@@ -362,6 +362,30 @@ void test_sharp_corners()
   }
 }
 
+// The sides of a thin box are strips between two features. Vertices inside would not make better triangles there, only
+// shorter edges do, whatever the size of the faces beside them.
+void test_narrow_strips()
+{
+  std::cout << "narrow strips" << std::endl;
+  for(const double width : {0.02, 0.03})
+  {
+    analytic::Triangles box;
+    for(const double z : {0., width})
+      for(const double y : {0., 0.7})
+        for(const double x : {0., 1.})
+          box.points.push_back({{x, y, z}});
+    box.faces = {{{0, 2, 1}}, {{1, 2, 3}}, {{4, 5, 6}}, {{5, 7, 6}}, {{0, 1, 4}}, {{1, 5, 4}},
+                 {{2, 6, 3}}, {{3, 6, 7}}, {{0, 4, 2}}, {{2, 4, 6}}, {{1, 3, 5}}, {{3, 7, 5}}};
+    const Surface_mesh input = make_mesh<Surface_mesh>(box);
+    Surface_mesh mesh = input;
+    const auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_edge_length(0.2));
+    check_result(input, mesh);
+    std::cout << "  width " << width << ": " << report.number_of_faces << " faces, smallest quality "
+              << report.smallest_quality << ", mean " << report.mean_quality << std::endl;
+    assert(report.smallest_quality >= 0.57 && report.mean_quality >= 0.77);
+  }
+}
+
 // At a border where the input is folded back on itself all triangles are turned over. Its edges, six times as long as
 // their sizes, are split all the same: the worst triangle would stay at one of them. Nor does one that is turned over
 // give way to a flat one.
@@ -375,13 +399,13 @@ void test_folded_border()
     .maximum_deviation(0.001 * diagonal).minimum_edge_length(0.003 * diagonal).maximum_edge_length(0.1 * diagonal));
   check_result(input, output);
   std::cout << "  smallest quality " << report.smallest_quality << std::endl;
-  assert(report.smallest_quality > 0.1);
+  assert(report.smallest_quality > 0.13);
 
   output = input;
   const auto finer = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.0273).gradation(1.1));
   check_result(input, output);
   std::cout << "  smallest quality " << finer.smallest_quality << std::endl;
-  assert(finer.smallest_quality > 0.05);
+  assert(finer.smallest_quality > 0.13);
 
   // Faces beyond the border, in the plane of those at it, deviate; and the splits that they ask for make none flat.
   for(const double displacement : {6.5e-4, 5e-4})
@@ -752,6 +776,7 @@ int main(int argc, char** argv)
   test_constraints();
   test_close_corners();
   test_sharp_corners();
+  test_narrow_strips();
   test_folded_border();
   test_pleat();
   test_maximum_deviation();

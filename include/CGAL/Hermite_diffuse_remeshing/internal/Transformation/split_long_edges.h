@@ -77,8 +77,10 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
 {
   if(!is_split_topologically_legal(mesh, h))
     return false;
-  // the two halves of a good triangle have two thirds of its quality or more
-  constexpr double share_of_half = 0.4;
+  // The two halves of a good triangle have two thirds of its quality or more. The arc of a curve may rise far into the
+  // triangle, and has to be taken while there is room: what comes into the triangle later turns all its halves over.
+  constexpr double share_of_half_inside = 0.4, share_of_half_at_arc = 0.1;
+  const double share_of_half = mesh.is_on_curve(h) ? share_of_half_at_arc : share_of_half_inside;
   constexpr double least_score_of_half = 1e-4;
   const auto& tm = mesh.tmesh();
   const Reference& reference = mesh.reference();
