@@ -12,8 +12,10 @@
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -50,7 +52,8 @@ public:
       m_normals.push_back(surface.area_vector(f));
   }
 
-  // Needles beside needles wait until those have a normal. Longer chains of them are no accident.
+  // Needles beside needles wait until those have a normal. Longer chains of them are no accident. A needle that is taken
+  // to face the other way stays turned over in the result: of two side by side the smaller is, and may do for both.
   void smooth()
   {
     constexpr int number_of_rounds = 3;
@@ -72,6 +75,7 @@ public:
       }
       if(lenders.empty())
         return;
+      let_larger_wait(lenders);
       for(const std::pair<int, int>& entry : lenders)
         m_normals[entry.first] = m_normals[entry.second];
       for(const std::pair<int, int>& entry : lenders)
@@ -81,6 +85,32 @@ public:
   }
 
 private:
+  // `lenders`: needles and the faces the normals of which they are to have
+  void let_larger_wait(std::vector<std::pair<int, int> >& lenders) const
+  {
+    // relative: areas closer than this are the same
+    constexpr double area_tolerance = 1e-6;
+    std::map<int, double> turned;         // areas of those that would be turned over
+    for(const std::pair<int, int>& entry : lenders)
+      if(m_normals[entry.first].dot(m_normals[entry.second]) < 0.)
+        turned[entry.first] = m_surface.area_vector(entry.first).norm();
+    const auto waits = [&](const std::pair<int, int>& entry)
+    {
+      const auto own = turned.find(entry.first);
+      if(own == turned.end())
+        return false;
+      for(int k = 0; k < 3; ++k)
+      {
+        const auto other = m_edges.number_of_sides(m_edges.edge(entry.first, k)) == 2
+                         ? turned.find(neighbor(entry.first, k)) : turned.end();
+        if(other != turned.end() && own->second > (1. + area_tolerance) * other->second)
+          return true;
+      }
+      return false;
+    };
+    lenders.erase(std::remove_if(lenders.begin(), lenders.end(), waits), lenders.end());
+  }
+
   void classify_again(const int face, const int side)
   {
     const int e = m_edges.edge(face, side);
