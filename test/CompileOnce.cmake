@@ -6,8 +6,16 @@ if(NOT COMMAND target_precompile_headers)
   return()
 endif()
 
+# With threads, which some of them use, all are built as with TBB where it is there.
+find_package(TBB QUIET)
+include(CGAL_TBB_support)
+set(_threads)
+if(TARGET CGAL::TBB_support)
+  set(_threads CGAL::TBB_support)
+endif()
+
 add_library(compiled_once STATIC "${PROJECT_SOURCE_DIR}/test/compiled_once.cpp")
-target_link_libraries(compiled_once PRIVATE CGAL::CGAL CGAL::Data CGAL::Eigen3_support)
+target_link_libraries(compiled_once PRIVATE CGAL::CGAL CGAL::Data CGAL::Eigen3_support ${_threads})
 target_precompile_headers(compiled_once PRIVATE "${PROJECT_SOURCE_DIR}/test/compiled_once.h")
 
 foreach(_folder examples test)
@@ -18,8 +26,8 @@ foreach(_folder examples test)
     get_target_property(_libraries ${_program} LINK_LIBRARIES)
     # others have flags of their own, or are of other types of mesh
     if(_type STREQUAL "EXECUTABLE" AND _libraries MATCHES "Eigen3_support"
-       AND NOT _libraries MATCHES "TBB|OpenMesh|viewer|program_options" AND NOT _program STREQUAL "test_mesh_types")
-      target_link_libraries(${_program} PRIVATE compiled_once)
+       AND NOT _libraries MATCHES "OpenMesh|viewer|program_options" AND NOT _program STREQUAL "test_mesh_types")
+      target_link_libraries(${_program} PRIVATE compiled_once ${_threads})
       target_precompile_headers(${_program} REUSE_FROM compiled_once)
     endif()
   endforeach()
