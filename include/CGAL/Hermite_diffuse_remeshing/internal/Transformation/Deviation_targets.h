@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -115,9 +116,31 @@ private:
       m_model_distance = (std::max)(m_model_distance, d);
   }
 
+  static Location middle_of_side(const int f, const int side)
+  {
+    Location result = location(f, 0.5, 0.5);
+    std::swap(result.coordinates[0], result.coordinates[previous(side)]);
+    return result;
+  }
+
   template <typename IsRemeshed>
   void find_parts(const IsRemeshed& is_remeshed, const Progress& progress)
   {
+    const Cut_mesh& cut_mesh = m_reference.surface.cut_mesh();
+    // of the model, by the edge: the same for both faces of an edge that is no feature
+    std::vector<Vector> middles(m_reference.edges.number_of_edges());
+    for_each_index(triangles().number_of_faces(), is_parallel(), [&]
+    {
+      return [&](const int f)
+      {
+        for(int k = 0; k < 3 && is_remeshed(f); ++k)
+        {
+          const int g = cut_mesh.neighbor(f, k);
+          if(g != -1 && (f < g || !is_remeshed(g)))
+            middles[m_reference.edges.edge(f, k)] = m_reference.surface_point(middle_of_side(f, k));
+        }
+      };
+    }, progress);
     std::vector<double> heights(m_parts.size(), 0.);
     for_each_index(triangles().number_of_faces(), is_parallel(), [&]
     {
@@ -125,7 +148,7 @@ private:
       {
         if(!is_remeshed(f))
           return;
-        heights[f] = height_of_model(f);
+        heights[f] = height_of_model(f, middles);
         m_parts[f] = count_parts(f, (std::max)(heights[f], height_of_sides(f)));
       };
     }, progress);
@@ -147,12 +170,18 @@ private:
       n = static_cast<int>(std::ceil(factor * n));
   }
 
-  double height_of_model(const int f) const
+  // at the middles of the sides and at the centroid
+  double height_of_model(const int f, const std::vector<Vector>& middles) const
   {
-    double height = 0.;
-    for(const Location& at : {location(f, 0.5, 0.), location(f, 0., 0.5), location(f, 0.5, 0.5),
-                              location(f, 1. / 3., 1. / 3.)})
-      height = (std::max)(height, distance_to_facet(at, m_reference.surface_point(at)));
+    const Location center = location(f, 1. / 3., 1. / 3.);
+    double height = distance_to_facet(center, m_reference.surface_point(center));
+    for(int k = 0; k < 3; ++k)
+    {
+      const Location at = middle_of_side(f, k);
+      const bool is_shared = m_reference.surface.cut_mesh().neighbor(f, k) != -1;
+      height = (std::max)(height, distance_to_facet(at, is_shared ? middles[m_reference.edges.edge(f, k)]
+                                                                  : m_reference.surface_point(at)));
+    }
     return height;
   }
 
