@@ -88,8 +88,7 @@ bool are_edges_short_after_collapse(const Working_mesh<UserMesh>& mesh,
         const auto w = source(g, tm);
         if(w == s || w == t)
           continue;
-        const Site& site = mesh.site(w);
-        if((site.point - point).squaredNorm() > CGAL::square(longest_length * (site.size + size) / 2.))
+        if((mesh.point(w) - point).squaredNorm() > CGAL::square(longest_length * (mesh.size(w) + size) / 2.))
           return false;
       }
   }

@@ -57,10 +57,9 @@ Site balanced_site_on_surface(const Working_mesh<UserMesh>& mesh,
   {
     if(mesh.is_border_or_outside(h))
       continue;
-    const Site& s = mesh.site(source(h, tm));
-    const Site& t = mesh.site(target(next(h, tm), tm));
-    const Vector p = s.point - site.point, q = t.point - site.point;
-    const double size = (site.size + s.size + t.size) / 3.;
+    const auto s = source(h, tm), t = target(next(h, tm), tm);
+    const Vector p = mesh.point(s) - site.point, q = mesh.point(t) - site.point;
+    const double size = (site.size + mesh.size(s) + mesh.size(t)) / 3.;
     const double weight = p.cross(q).norm() / (size * size);
     sum += weight * (p + q) / 3.;
     sum_of_weights += weight;
