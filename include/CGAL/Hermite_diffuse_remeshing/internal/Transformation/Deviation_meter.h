@@ -29,10 +29,11 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Measures the deviation of the working mesh from the reference. From the mesh to the model: at vertices, edge middles
-// and face centroids, and where these tell that it is larger in between; at feature edges between the edge and its
-// curve. And back, to the closest facet of the mesh: from points of the model, and of its ridges where edges cross them
-// and between these. What is between the points is allowed for by a margin. Throws Interrupted on request.
+// Measures the deviation of the working mesh from the reference. From the mesh to the model: at vertices and edge
+// middles, at the centroids of faces that are not low, and where these tell that it is larger in between; at feature
+// edges between the edge and its curve. And back, to the closest facet of the mesh: from points of the model, and of its
+// ridges where edges cross them and between these. What is between the points is allowed for by a margin. Throws
+// Interrupted on request.
 template <typename UserMesh>
 class Deviation_meter
 {
@@ -56,7 +57,10 @@ class Deviation_meter
 
   // a face is measured at its vertices, its middles and its centroid
   static constexpr double weight_in_mean = 1. / 7.;
-  // of the height from which a second look is needed: lower faces need none at ridges. A ridge across an edge is twice
+  // of the height from which a second look is needed: where the sides of a face are lower, the model needs not be asked
+  // at the centroid
+  static constexpr double part_of_centroids = 0.25;
+  // same: lower faces need no look at ridges. A ridge across an edge is twice
   // as high as the model over its middle, the rest is for what a curvature against it takes away from there.
   static constexpr double part_of_ridges = 0.25;
   // Of the height of the model over a face: a ridge that may rise by less, in a face that is not among the highest, is
@@ -82,6 +86,9 @@ public:
     m_is_new.clear();
     m_new_faces.clear();
     m_index = make_index_map();
+    m_deviations.faces.reserve(m_mesh.number_of_faces());
+    m_is_new.reserve(m_mesh.number_of_faces());
+    m_new_faces.reserve(m_mesh.number_of_faces());
     for(const face_descriptor f : faces(m_mesh.tmesh()))
     {
       put(m_index, f, -1);
@@ -165,9 +172,12 @@ private:
   {
     m_gaps.assign(m_deviations.faces.size(), Face_gaps());
     m_normals.assign(m_deviations.faces.size(), Vector::Zero());
-    measure_centroids();
+    for(const int f : m_new_faces)
+      m_normals[f] = area_vector(m_mesh.triangle(m_deviations.faces[f].face)).stableNormalized();
     measure_edges();
     measure_vertices();
+    find_second_look();
+    measure_centroids();
     find_second_look();
     measure_ridges();
     find_second_look();
@@ -210,17 +220,33 @@ private:
   }
   bool is_new(const int f) const { return f != -1 && m_is_new[f]; }
 
+  // A face with low sides has a low centroid, which they tell without the model, if this is smooth.
   void measure_centroids()
   {
     const Barycentric center = {{1. / 3., 1. / 3., 1. / 3.}};
-    measure_at(m_new_faces, [&](const int f) { return nearest_at(f, center); },
+    const bool is_smooth = !m_mesh.reference().surface.saturation().is_bounded();
+    std::vector<int> high_faces;
+    for(const int f : m_new_faces)
+    {
+      Face_gaps& gaps = m_gaps[f];
+      gaps.centroid = gaps.height_of_quadric();
+      if(!is_smooth || gaps.bound() + gaps.ridge > part_of_centroids * m_second_look)
+        high_faces.push_back(f);
+      else
+        enter_centroid(f, {m_deviations.faces[f].location, std::abs(gaps.centroid)});
+    }
+    measure_at(high_faces, [&](const int f) { return nearest_at(f, center); },
                [&](const int f, const Reference::Nearest& nearest)
     {
-      m_deviations.add(point_of_face(f, center), nearest.distance, nearest.location, {f});
-      add_to_mean(nearest.distance, f);
-      m_normals[f] = area_vector(m_mesh.triangle(m_deviations.faces[f].face)).stableNormalized();
+      enter_centroid(f, nearest);
       m_gaps[f].centroid = std::copysign(nearest.distance, nearest.gap.dot(m_normals[f]));
     });
+  }
+
+  void enter_centroid(const int f, const Reference::Nearest& nearest)
+  {
+    m_deviations.add(point_of_face(f, {{1. / 3., 1. / 3., 1. / 3.}}), nearest.distance, nearest.location, {f});
+    add_to_mean(nearest.distance, f);
   }
 
   Vector point_of_face(const int f, const Barycentric& l) const
@@ -233,6 +259,7 @@ private:
   {
     const TriangleMesh& tm = m_mesh.tmesh();
     std::vector<halfedge_descriptor> new_edges;
+    new_edges.reserve(2 * m_new_faces.size());
     for(const int f : m_new_faces)
     {
       m_mesh.give_up_if_stopped();

@@ -63,8 +63,11 @@ struct Face_gaps
     return result;
   }
 
+  // at the centroid, of the quadric through the other heights
+  double height_of_quadric() const { return 4. / 9. * (middles[0] + middles[1] + middles[2]); }
+
 private:
-  double bubble() const { return centroid - 4. / 9. * (middles[0] + middles[1] + middles[2]); }
+  double bubble() const { return centroid - height_of_quadric(); }
 };
 
 } // namespace internal
