@@ -65,9 +65,9 @@ public:
   // the size at a point of an edge of the reference, where it would be `size` if the edge bounded no strip
   double size_in_strip(const Vector& p, const int edge, const double size) const
   {
-    // Two sides of a triangle go across the strip, the third is twice as long as it is wide: Q = 0.71. Where that is
-    // longer than its size by a quarter, as edges may be, Q = 0.6 still, and the faces need not be raised one by one.
-    constexpr double lengths_per_gap = 2.0337;
+    // Two sides of a triangle go across the strip, the third is about twice as long as it is wide: Q = 0.73. Where that is
+    // longer than its size by a quarter, as edges may be, Q = 0.62, and the faces need not be raised one by one.
+    constexpr double lengths_per_gap = 1.9537;
     // a crack must not cost more than this factor of the size
     constexpr double largest_factor = 8.;
     const double gap = m_gaps.gap(p, edge, size / lengths_per_gap);

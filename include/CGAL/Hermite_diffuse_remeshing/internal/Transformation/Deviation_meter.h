@@ -60,8 +60,8 @@ class Deviation_meter
   // of the height from which a second look is needed: where the sides of a face are lower, the model needs not be asked
   // at the centroid
   static constexpr double part_of_centroids = 0.25;
-  // same: lower faces need no look at ridges. A ridge across an edge is twice
-  // as high as the model over its middle, the rest is for what a curvature against it takes away from there.
+  // Same: lower faces need no look at ridges. A ridge across an edge is twice as high as the model over its middle, the
+  // rest is for what a curvature against it takes away from there.
   static constexpr double part_of_ridges = 0.25;
   // Of the height of the model over a face: a ridge that may rise by less, in a face that is not among the highest, is
   // left to the part by which all deviations are raised.

@@ -20,8 +20,6 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
-#include <boost/container/small_vector.hpp>
-
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -44,7 +42,7 @@ public:
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef typename Junctions<vertex_descriptor>::Copies Copies;
-  typedef boost::container::small_vector<halfedge_descriptor, 4> Siblings;
+  typedef std::vector<halfedge_descriptor> Siblings;
 
   struct Vertex
   {
@@ -90,7 +88,8 @@ public:
   template <typename IsFrozen>
   Mesh_elements(const UserMesh& user, const Reference& reference,
                 const std::vector<face_descriptor>& faces_of_reference,
-                const std::vector<char>& is_remeshed, const IsFrozen& is_edge_frozen)
+                const std::vector<char>& is_remeshed,
+                const IsFrozen& is_edge_frozen)
     : m_user(user), m_reference(reference)
     , m_vertex_index(get(CGAL::dynamic_vertex_property_t<int>(), user.tmesh))
     , m_edge(get(CGAL::dynamic_edge_property_t<Edge>(), user.tmesh))
@@ -379,7 +378,8 @@ private:
   {
     for(const edge_descriptor e : edges(tmesh()))
     {
-      const halfedge_descriptor h = halfedge(e, tmesh()), o = opposite(h, tmesh());
+      const halfedge_descriptor h = halfedge(e, tmesh());
+      const halfedge_descriptor o = opposite(h, tmesh());
       Edge data = get(m_edge, e);
       const bool is_seam = is_border_or_outside(h) != is_border_or_outside(o)
                         && !CGAL::is_border(h, tmesh()) && !CGAL::is_border(o, tmesh());

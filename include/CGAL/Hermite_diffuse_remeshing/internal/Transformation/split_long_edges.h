@@ -38,10 +38,10 @@ Site middle_site(const Working_mesh<UserMesh>& mesh,
 
 // The halfedges in front of which a split of h halves a remeshed face, all copies included.
 template <typename UserMesh>
-typename Working_mesh<UserMesh>::Siblings
+std::vector<typename Working_mesh<UserMesh>::halfedge_descriptor>
 sides_of_split(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
 {
-  typename Working_mesh<UserMesh>::Siblings result;
+  std::vector<typename Working_mesh<UserMesh>::halfedge_descriptor> result;
   for(const auto sibling : mesh.siblings(h))
     for(const auto side : {sibling, opposite(sibling, mesh.tmesh())})
       if(!mesh.is_border_or_outside(side))
