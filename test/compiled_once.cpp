@@ -2,6 +2,7 @@
 
 COMPILED_ONCE_STAGES(, compiled_once::Surface_mesh_user)
 COMPILED_ONCE_STAGES(, compiled_once::Polyhedron_user)
+COMPILED_ONCE_STAGES(, compiled_once::Soup_user)
 
 COMPILED_ONCE_FITS(, 2)
 COMPILED_ONCE_FITS(, 3)

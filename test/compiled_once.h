@@ -1,6 +1,6 @@
 // What nearly all tests and examples include and instantiate, for a build in which it is compiled once: the stages of
-// the remeshing for the two types of mesh that they use, called without constraints or patches, the fits, and the
-// files of the most used type.
+// the remeshing for the two types of mesh that they use, called without constraints or patches, and for soups, the fits,
+// and the files of the most used type.
 
 #ifndef HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
 #define HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
@@ -30,6 +30,14 @@ using User = CGAL::Hermite_diffuse_remeshing::internal::User_mesh<
 typedef User<CGAL::Surface_mesh<Kernel::Point_3> > Surface_mesh_user;
 typedef User<CGAL::Polyhedron_3<Kernel> > Polyhedron_user;
 
+// what triangle soups are remeshed as
+typedef CGAL::Surface_mesh<Kernel::Point_3> Soup_mesh;
+typedef CGAL::Hermite_diffuse_remeshing::internal::User_mesh<
+  Soup_mesh, boost::property_map<Soup_mesh, CGAL::vertex_point_t>::type,
+  CGAL::Static_boolean_property_map<boost::graph_traits<Soup_mesh>::edge_descriptor, false>,
+  Soup_mesh::Property_map<Soup_mesh::Face_index, int>, Kernel,
+  CGAL::Hermite_diffuse_remeshing::internal::Supervisor<Soup_mesh> > Soup_user;
+
 } // namespace compiled_once
 
 // `PREFIX`: extern, or nothing where it is compiled
@@ -43,6 +51,7 @@ typedef User<CGAL::Polyhedron_3<Kernel> > Polyhedron_user;
 
 COMPILED_ONCE_STAGES(extern, compiled_once::Surface_mesh_user)
 COMPILED_ONCE_STAGES(extern, compiled_once::Polyhedron_user)
+COMPILED_ONCE_STAGES(extern, compiled_once::Soup_user)
 
 #define COMPILED_ONCE_FITS(PREFIX, DEGREE)                                                                   \
   PREFIX template class CGAL::Hermite_diffuse_remeshing::internal::Local_polynomial<DEGREE>;                 \

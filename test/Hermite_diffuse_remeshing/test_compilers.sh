@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # test_compilers.sh SOURCE PROGRAM OTHER_COMPILER OPTIONS... -- FILES...: builds SOURCE with the other compiler,
-# and remeshes the files with both programs. The results must be the same bytes.
+# and remeshes the files with both programs, which write remeshed.off. The results must be the same bytes.
 set -u
 
 source=$1
@@ -16,13 +16,14 @@ shift
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-"$compiler" "${options[@]}" "$source" -o "$folder/other" -lgmp -lmpfr -lboost_program_options -pthread \
+"$compiler" "${options[@]}" "$source" -o "$folder/other" -lgmp -lmpfr \
   || { echo "FAILED: $compiler does not build $source" >&2; exit 1; }
 status=0
+mkdir "$folder/one" "$folder/two"
 for file in "$@"; do
-  "$program" "$file" "$folder/one.off" --approximation-error 0.02 --quiet || exit 1
-  "$folder/other" "$file" "$folder/two.off" --approximation-error 0.02 --quiet || exit 1
-  if cmp "$folder/one.off" "$folder/two.off"; then
+  (cd "$folder/one" && "$program" "$file" > /dev/null) || exit 1
+  (cd "$folder/two" && "$folder/other" "$file" > /dev/null) || exit 1
+  if cmp "$folder/one/remeshed.off" "$folder/two/remeshed.off"; then
     echo "same: $file"
   else
     echo "FAILED: the compilers differ on $file" >&2
