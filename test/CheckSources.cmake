@@ -24,10 +24,12 @@ file(GLOB _users_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
      include/CGAL/*.h include/CGAL/Polygon_mesh_processing/*.h include/CGAL/Hermite_diffuse_remeshing/*.h)
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" include/*.h benchmark/*.cpp)
 
-# clang compiles only once what they have in common, the libraries' headers and the model. Only the headers that users
-# include must bring all libraries' headers of theirs; the others are seen after these. One of ours is seen first by
-# those sources alone that include it themselves.
+# clang compiles only once what they have in common: the libraries' headers, and the model and the working mesh on the
+# way. Only the headers that users include must bring all libraries' headers of theirs; the others are seen after these.
+# One of ours is seen first by those sources alone that include it themselves. Benchmarks are seen after what they share
+# with the tests.
 set(_model include/CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h)
+set(_working_mesh include/CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h)
 set(_remeshing include/CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h)
 
 # whether `source` includes `header`, or is it
@@ -73,23 +75,30 @@ if(Hermite_diffuse_remeshing_CHECK_COMPILER MATCHES "clang")
   list(REMOVE_DUPLICATES _library_headers)
   precompile(libraries "${_library_headers}")
   precompile(libraries_and_model "${_library_headers};#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
+  precompile(libraries_and_mesh "${_library_headers};#include \"${PROJECT_SOURCE_DIR}/${_working_mesh}\"")
   precompile(model "#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
   precompile(remeshing "#include \"${PROJECT_SOURCE_DIR}/${_remeshing}\"")
+  precompile(tests "#include \"${PROJECT_SOURCE_DIR}/test/compiled_once.h\"")
 endif()
 
 foreach(_source ${_sources})
   string(MAKE_C_IDENTIFIER "${_source}" _name)
-  includes_header("${_source}" "${_model}" _includes_model)
-  includes_header("${_source}" "${_remeshing}" _includes_remeshing)
+  foreach(_header model working_mesh remeshing)
+    includes_header("${_source}" "${_${_header}}" _includes_${_header})
+  endforeach()
   set(_precompiled)
   if(_source STREQUAL _model OR _source STREQUAL _remeshing)
     # alone indeed
+  elseif(_source MATCHES "^benchmark/")
+    set(_precompiled tests)
   elseif(_includes_remeshing)
     set(_precompiled remeshing)
   elseif(_source IN_LIST _users_headers)
     if(_includes_model)
       set(_precompiled model)
     endif()
+  elseif(_includes_working_mesh AND NOT _source STREQUAL _working_mesh)
+    set(_precompiled libraries_and_mesh)
   elseif(_includes_model)
     set(_precompiled libraries_and_model)
   else()

@@ -142,21 +142,14 @@ add_executable(user_program main.cpp)
 target_link_libraries(user_program PRIVATE Hermite_diffuse_remeshing::Hermite_diffuse_remeshing)
 END
   cat > "$folder/user/program/main.cpp" <<END
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_features.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
+#include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
+#include <CGAL/number_utils.h>
+#include <Eigen/Core>
 int main()
 {
   using namespace CGAL::Hermite_diffuse_remeshing;
-  typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
-  Mesh mesh;
-  CGAL::make_icosahedron(mesh, Mesh::Point(0., 0., 0.), 1.);
-  const auto edge_classes = mesh.add_property_map<Mesh::Edge_index, Edge_class>("e:class").first;
-  const auto vertex_classes = mesh.add_property_map<Mesh::Vertex_index, Vertex_class>("v:class").first;
-  CGAL::Polygon_mesh_processing::hermite_diffuse_classify_features(mesh, edge_classes, vertex_classes,
-    CGAL::parameters::sharp_dihedral_angle(40.));
-  return edge_classes[*mesh.edges().begin()] == SHARP_EDGE ? 0 : 1;       // of 41.8 degrees
+  const double ratio = length_over_radius_of_elements_per_circle(6);
+  return CGAL::abs(ratio - Eigen::Vector2d::UnitX().norm()) < 1e-12 ? 0 : 1;        // a hexagon
 }
 END
   cmake -S "$folder/user" -B "$folder/build" "$@" > "$folder/log" 2>&1 \

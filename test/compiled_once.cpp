@@ -2,8 +2,8 @@
 
 COMPILED_ONCE_STAGES(, compiled_once::Surface_mesh_user)
 COMPILED_ONCE_STAGES(, compiled_once::Polyhedron_user)
-COMPILED_ONCE_STAGES(, compiled_once::Soup_user)
 
+COMPILED_ONCE_SMOOTHING()
 COMPILED_ONCE_FITS(, 2)
 COMPILED_ONCE_FITS(, 3)
 COMPILED_ONCE_FITS(, 4)

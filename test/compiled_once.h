@@ -1,6 +1,6 @@
 // What nearly all tests and examples include and instantiate, for a build in which it is compiled once: the stages of
-// the remeshing for the two types of mesh that they use, called without constraints or patches, and for soups, the fits,
-// and the files of the most used type.
+// the remeshing for the two types of mesh that they use, the fits, and the files of the most used type. The compiler
+// instantiates inline functions all the same: what is meant to be left out here is defined outside of its class.
 
 #ifndef HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
 #define HERMITE_DIFFUSE_REMESHING_TEST_COMPILED_ONCE_H
@@ -21,22 +21,10 @@ namespace compiled_once {
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 
 template <typename TriangleMesh>
-using User = CGAL::Hermite_diffuse_remeshing::internal::User_mesh<
-  TriangleMesh, typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type,
-  CGAL::Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::edge_descriptor, false>,
-  CGAL::Constant_property_map<typename boost::graph_traits<TriangleMesh>::face_descriptor, int>, Kernel,
-  CGAL::Hermite_diffuse_remeshing::internal::Supervisor<TriangleMesh> >;
+using User = CGAL::Hermite_diffuse_remeshing::internal::User_mesh<TriangleMesh>;
 
 typedef User<CGAL::Surface_mesh<Kernel::Point_3> > Surface_mesh_user;
 typedef User<CGAL::Polyhedron_3<Kernel> > Polyhedron_user;
-
-// what triangle soups are remeshed as
-typedef CGAL::Surface_mesh<Kernel::Point_3> Soup_mesh;
-typedef CGAL::Hermite_diffuse_remeshing::internal::User_mesh<
-  Soup_mesh, boost::property_map<Soup_mesh, CGAL::vertex_point_t>::type,
-  CGAL::Static_boolean_property_map<boost::graph_traits<Soup_mesh>::edge_descriptor, false>,
-  Soup_mesh::Property_map<Soup_mesh::Face_index, int>, Kernel,
-  CGAL::Hermite_diffuse_remeshing::internal::Supervisor<Soup_mesh> > Soup_user;
 
 } // namespace compiled_once
 
@@ -51,13 +39,19 @@ typedef CGAL::Hermite_diffuse_remeshing::internal::User_mesh<
 
 COMPILED_ONCE_STAGES(extern, compiled_once::Surface_mesh_user)
 COMPILED_ONCE_STAGES(extern, compiled_once::Polyhedron_user)
-COMPILED_ONCE_STAGES(extern, compiled_once::Soup_user)
 
 #define COMPILED_ONCE_FITS(PREFIX, DEGREE)                                                                   \
-  PREFIX template class CGAL::Hermite_diffuse_remeshing::internal::Local_polynomial<DEGREE>;                 \
-  PREFIX template double CGAL::Hermite_diffuse_remeshing::internal::Local_polynomial<DEGREE>::solve<0>();    \
-  PREFIX template double CGAL::Hermite_diffuse_remeshing::internal::Local_polynomial<DEGREE>::solve<1>();
+  PREFIX template double CGAL::Hermite_diffuse_remeshing::internal::Normal_fitter::add_fit<DEGREE>(          \
+    const Node_frame&, double, Fitted_normal&) const;                                                        \
+  PREFIX template void CGAL::Hermite_diffuse_remeshing::internal::Reference_surface::fit<DEGREE>(            \
+    const Location&, const Blended&, Local_quadric&) const;
 
+#define COMPILED_ONCE_SMOOTHING(PREFIX)                                                                      \
+  PREFIX template CGAL::Hermite_diffuse_remeshing::internal::Vector                                          \
+  CGAL::Hermite_diffuse_remeshing::internal::smoothed_normal<2>(                                             \
+    const Cut_mesh&, const std::vector<Node>&, const std::vector<Vector>&, int);
+
+COMPILED_ONCE_SMOOTHING(extern)
 COMPILED_ONCE_FITS(extern, 2)
 COMPILED_ONCE_FITS(extern, 3)
 COMPILED_ONCE_FITS(extern, 4)

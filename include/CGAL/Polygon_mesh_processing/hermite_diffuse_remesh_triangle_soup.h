@@ -287,27 +287,24 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
 
   typedef typename boost::property_map<Mesh, CGAL::vertex_point_t>::type VPM;
   typedef Static_boolean_property_map<edge_descriptor, false> ECM;
-  typedef User_mesh<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT, Supervisor<Mesh> > User;
-  const User user{mesh, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt, watched};
+  const User_mesh_with_maps<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT>
+    user(mesh, watched, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt);
   const bool is_guarded = choose_parameter(get_parameter(pack, internal_np::do_self_intersection_tests), true);
-  run_stages<User>(user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
-                   Stage_options{size_options, read_face_budget(pack, surface.triangles.size()),
-                                 static_cast<int>(iterations), is_guarded},
-                   [&]
-                   {
-                     return std::unique_ptr<Input_model>(
-                       new Input_model(surface, feature_options, model_options,
-                                       [&](const int f, const int side) { return marks[f][side]; },
-                                       [&](const int v) -> bool { return get(vcm, std::size_t(v)); },
-                                       std::vector<Vector>(), watched.progress_of_stage()));
-                   },
-                   [] {},
-                   [&](const auto& working_mesh, const auto& deviations)
-                   {
-                     write_soup(working_mesh, deviations, is_turned, label_of_face, labels, pack, points, triangles,
-                                report);
-                   },
-                   report);
+  run_stages<User_mesh<Mesh> >(
+    user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
+    Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations), is_guarded},
+    [&]
+    {
+      return std::unique_ptr<Input_model>(
+        new Input_model(surface, feature_options, model_options,
+                        [&](const int f, const int side) { return marks[f][side]; },
+                        [&](const int v) -> bool { return get(vcm, std::size_t(v)); },
+                        std::vector<Vector>(), watched.progress_of_stage()));
+    },
+    [] {},
+    [&](const auto& working_mesh, const auto& deviations)
+    { write_soup(working_mesh, deviations, is_turned, label_of_face, labels, pack, points, triangles, report); },
+    report);
   return report;
 }
 

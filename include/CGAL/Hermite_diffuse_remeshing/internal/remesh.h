@@ -75,7 +75,6 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   typedef Default_remeshing_visitor<TriangleMesh> Default_visitor;
   typedef typename internal_np::Lookup_named_param_def<internal_np::visitor_t, Pack, Default_visitor>::reference
     Visitor_reference;
-  typedef User_mesh<TriangleMesh, VPM, ECM, FPM, GT, Supervisor<TriangleMesh> > User;
 
   const VPM vpm = choose_parameter(get_parameter(pack, internal_np::vertex_point),
                                    get_property_map(CGAL::vertex_point, tmesh));
@@ -106,18 +105,19 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   Supervisor_of_visitor<TriangleMesh, std::remove_reference_t<Visitor_reference> >
     watched(visitor, report, maximum_running_time);
 
-  const User user{tmesh, vpm, ecm, fpm, input.traits, watched};
-  run_stages<User>(user, input.face_descriptors, input.side_marks, is_remeshed,
-                   Stage_options{size_options, maximum_number_of_faces, static_cast<int>(iterations), is_guarded},
-                   [&] { return read_model<ConcurrencyTag>(input, pack, watched.progress_of_stage()); },
-                   [&]
-                   {
-                     if(!repairs.empty())
-                       watched.stage("repair", [&] { carry_out_repairs(repairs, user, input); });
-                   },
-                   [&](const auto& mesh, const auto& deviations)
-                   { write_output_maps(mesh, deviations, input.face_descriptors, input.face_ranks, pack); },
-                   report);
+  const User_mesh_with_maps<TriangleMesh, VPM, ECM, FPM, GT> user(tmesh, watched, vpm, ecm, fpm, input.traits);
+  run_stages<User_mesh<TriangleMesh> >(
+    user, input.face_descriptors, input.side_marks, is_remeshed,
+    Stage_options{size_options, maximum_number_of_faces, static_cast<int>(iterations), is_guarded},
+    [&] { return read_model<ConcurrencyTag>(input, pack, watched.progress_of_stage()); },
+    [&]
+    {
+      if(!repairs.empty())
+        watched.stage("repair", [&] { carry_out_repairs(repairs, user, input); });
+    },
+    [&](const auto& mesh, const auto& deviations)
+    { write_output_maps(mesh, deviations, input.face_descriptors, input.face_ranks, pack); },
+    report);
   return report;
 }
 

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REPAIR_INPUT_H
 
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/plan_repairs.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 
@@ -74,14 +75,14 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
   return repaired.repairs;
 }
 
-// Removes the source of a halfedge; its target stays with its point, and merged edges are constrained if one
+// Removes the source of a halfedge; its target stays at its point p, and merged edges are constrained if one
 // of the two was. Allocates nothing.
-template <typename User>
-typename boost::graph_traits<typename User::TriangleMesh>::vertex_descriptor
-collapse_at_target(User& user,
-                   const typename boost::graph_traits<typename User::TriangleMesh>::halfedge_descriptor h)
+template <typename TriangleMesh>
+typename boost::graph_traits<TriangleMesh>::vertex_descriptor
+collapse_at_target(const User_mesh<TriangleMesh>& user,
+                   const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const Vector& p)
 {
-  typedef boost::graph_traits<typename User::TriangleMesh> Graph_traits;
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   auto& tm = user.tmesh;
   user.visitor.before_edge_collapse(h);
@@ -89,32 +90,28 @@ collapse_at_target(User& user,
   for(const auto g : {h, opposite(h, tm)})
     if(!is_border(g, tm))
       merged.push_back(std::make_pair(target(next(g, tm), tm),
-                                      get(user.edge_is_constrained, edge(next(g, tm), tm))
-                                        || get(user.edge_is_constrained, edge(prev(g, tm), tm))));
-  const auto p = get(user.points, target(h, tm));
+                                      user.is_constrained(edge(next(g, tm), tm))
+                                        || user.is_constrained(edge(prev(g, tm), tm))));
   const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
-  put(user.points, v, p);
+  user.set_point(v, p);
   for(const auto& other : merged)
-  {
-    const auto e = edge(v, other.first, tm).first;
-    if(get(user.edge_is_constrained, e) != other.second)
-      put(user.edge_is_constrained, e, other.second);
-  }
+    user.set_constrained(edge(v, other.first, tm).first, other.second);
   user.visitor.after_edge_collapse(v);
   return v;
 }
 
 // Repeats on the user's mesh what has been planned on the copy, and lets the faces begin at the corners that the
 // triangles begin at.
-template <typename User, typename TriangleMesh, typename GeomTraits>
-void carry_out_repairs(const std::vector<Repair>& repairs, User user, Input_mesh<TriangleMesh, GeomTraits>& input)
+template <typename TriangleMesh, typename GeomTraits>
+void carry_out_repairs(const std::vector<Repair>& repairs, const User_mesh<TriangleMesh>& user,
+                       Input_mesh<TriangleMesh, GeomTraits>& input)
 {
   TriangleMesh& tm = user.tmesh;
   for(const Repair& repair : repairs)
   {
     const auto h = halfedge(input.vertex_descriptors[repair.source], input.vertex_descriptors[repair.target], tm).first;
     if(repair.kind == Repair::COLLAPSE)
-      input.vertex_descriptors[repair.target] = collapse_at_target(user, h);
+      input.vertex_descriptors[repair.target] = collapse_at_target(user, h, input.triangles.points[repair.target]);
     else
     {
       user.visitor.before_edge_flip(edge(h, tm));

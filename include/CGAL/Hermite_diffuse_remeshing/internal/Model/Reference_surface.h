@@ -264,51 +264,54 @@ private:
   };
 
   template <int Degree>
-  void fit(const Location& location, const Blended& blended, Local_quadric& result) const
-  {
-    Node_weights weights;
-    collect_node_weights(m_cut_mesh, m_nodes, location, weights);
-
-    const double t = m_options.hermite_weight;
-    const double inverse_size = 1. / result.size;
-    Local_polynomial<Degree> polynomial;
-    double total_weight = 0.;
-    for(const Node_weight& w : weights)
-    {
-      const Node& node = m_nodes[w.node];
-      const Vector d = inverse_size * (node.position - result.origin);
-      const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), z = d.dot(result.z_axis);
-      const double nz = node.normal.dot(result.z_axis);
-      double omega = interpolating_weight(w.weight, m_options.exponent);
-      if(blended.apex_share > 0. && node.has_normal())
-        omega *= 1. - blended.apex_share * (1. - agreement(nz));
-      total_weight += (std::min)(1., omega);
-      // The combined equation multiplies errors of slopes by the distance, those of positions by the
-      // order: on stretched faces, where some nodes are several sizes away, its weight must fall.
-      const double r2 = x * x + y * y;
-      if(nz > least_cosine)
-      {
-        const double inverse_nz = 1. / nz, trusted = omega * trust(nz);
-        polynomial.add_position_and_slopes(x, y, z, (1. - t) * omega, -node.normal.dot(result.x_axis) * inverse_nz,
-                                           -node.normal.dot(result.y_axis) * inverse_nz, t * trusted,
-                                           blended.combined_weight * trusted / (1. + r2 * r2));
-      }
-      else
-        polynomial.add_position(x, y, z, (1. - t) * omega);
-    }
-    // the ridge is relative to the weight of the data, which changes continuously with the query
-    polynomial.add_ridge(2, ridge * total_weight);
-    for(int order = 3; order <= Degree; ++order)
-      polynomial.add_ridge(order, (m_options.has_soft_degree ? blended.cubic_ridge : ridge) * total_weight);
-    // An ill-conditioned fit over a folded ring is no more than amplified rounding and noise. Fits on stretched
-    // meshes, six to one, have pivots of 5e-5 and more.
-    constexpr double incredible_pivot = 1e-7, credible_pivot = 1e-5;
-    const double share = fade(polynomial.solve(), incredible_pivot, credible_pivot);
-    if(share > 0.)
-      for(int i = 0; i < 6; ++i)
-        result.a[i] = share * polynomial[i];
-  }
+  void fit(const Location& location, const Blended& blended, Local_quadric& result) const;
 };
+
+template <int Degree>
+void Reference_surface::fit(const Location& location, const Blended& blended, Local_quadric& result) const
+{
+  Node_weights weights;
+  collect_node_weights(m_cut_mesh, m_nodes, location, weights);
+
+  const double t = m_options.hermite_weight;
+  const double inverse_size = 1. / result.size;
+  Local_polynomial<Degree> polynomial;
+  double total_weight = 0.;
+  for(const Node_weight& w : weights)
+  {
+    const Node& node = m_nodes[w.node];
+    const Vector d = inverse_size * (node.position - result.origin);
+    const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), z = d.dot(result.z_axis);
+    const double nz = node.normal.dot(result.z_axis);
+    double omega = interpolating_weight(w.weight, m_options.exponent);
+    if(blended.apex_share > 0. && node.has_normal())
+      omega *= 1. - blended.apex_share * (1. - agreement(nz));
+    total_weight += (std::min)(1., omega);
+    // The combined equation multiplies errors of slopes by the distance, those of positions by the
+    // order: on stretched faces, where some nodes are several sizes away, its weight must fall.
+    const double r2 = x * x + y * y;
+    if(nz > least_cosine)
+    {
+      const double inverse_nz = 1. / nz, trusted = omega * trust(nz);
+      polynomial.add_position_and_slopes(x, y, z, (1. - t) * omega, -node.normal.dot(result.x_axis) * inverse_nz,
+                                         -node.normal.dot(result.y_axis) * inverse_nz, t * trusted,
+                                         blended.combined_weight * trusted / (1. + r2 * r2));
+    }
+    else
+      polynomial.add_position(x, y, z, (1. - t) * omega);
+  }
+  // the ridge is relative to the weight of the data, which changes continuously with the query
+  polynomial.add_ridge(2, ridge * total_weight);
+  for(int order = 3; order <= Degree; ++order)
+    polynomial.add_ridge(order, (m_options.has_soft_degree ? blended.cubic_ridge : ridge) * total_weight);
+  // An ill-conditioned fit over a folded ring is no more than amplified rounding and noise. Fits on stretched
+  // meshes, six to one, have pivots of 5e-5 and more.
+  constexpr double incredible_pivot = 1e-7, credible_pivot = 1e-5;
+  const double share = fade(polynomial.solve(), incredible_pivot, credible_pivot);
+  if(share > 0.)
+    for(int i = 0; i < 6; ++i)
+      result.a[i] = share * polynomial[i];
+}
 
 } // namespace internal
 } // namespace Hermite_diffuse_remeshing

@@ -138,43 +138,8 @@ private:
   template <int Degree>
   bool has_enough() const { return m_neighborhood.size() >= Local_polynomial<Degree>::size - 1 + surplus; }
 
-  // Adds the normal of a fit with the part of `share` that it deserves, and returns the rest.
   template <int Degree>
-  double add_fit(const Node_frame& frame, const double share, Fitted_normal& result) const
-  {
-    if(!(share > 0.) || !has_enough<Degree>())
-      return share;
-    const Spread spread(frame, m_neighborhood, m_nodes);
-    if(!spread.is_regular())
-      return share;
-    Local_polynomial<Degree> polynomial;
-    for(const int j : m_neighborhood.neighbors())
-    {
-      const Vector x = frame.local(m_nodes[j].position);
-      const Eigen::Vector2d u = spread.equalized(x);
-      polynomial.add_position(u[0], u[1], x[2], weight(frame, j, x));
-    }
-    // Of the matrix scaled to a unit diagonal. Where the positions lie on few lines, such as the rows of a
-    // structured mesh, the least pivot is zero; the one-sided neighbourhoods of borders go down to 1e-5. In
-    // between the confidence changes with the order of magnitude. Rounding must not decide: below 1e-4
-    // the pivots of the normal equations are not known well enough.
-    double pivot = polynomial.template solve<1>();
-    constexpr double least_known_pivot = 1e-4;
-    if(pivot < least_known_pivot)
-      pivot = polynomial.solve_by_orthogonalization(positions(frame, spread), 1);
-    const double is_determined = pivot > 0. ? ramp(std::log10(pivot), -7., -5.) : 0.;
-    if(!(is_determined > 0.))
-      return share;
-    const Vector normal = spread.normal_of_slopes(frame, polynomial[1], polynomial[2]);
-    // a fit that turns the normal by more than 20 degrees has left the neighbourhood it can describe
-    constexpr double cosine_of_15_degrees = 0.96592582628906831, cosine_of_20_degrees = 0.93969262078590838;
-    const double part = share * is_determined
-                      * ramp(normal.dot(frame.z_axis), cosine_of_20_degrees, cosine_of_15_degrees);
-    result.normal += part * normal;
-    if(Degree == 4)
-      result.signal_over_noise = part * signal_over_noise(frame, spread, polynomial);
-    return share - part;
-  }
+  double add_fit(const Node_frame& frame, double share, Fitted_normal& result) const;
 
   // x, y, z, weight of the neighbours
   Eigen::Matrix<double, Eigen::Dynamic, 4> positions(const Node_frame& frame, const Spread& spread) const
@@ -214,33 +179,76 @@ private:
   }
 };
 
-// One sweep of Jacobi: every normal from a quadratic Hermite fit over the ring that leaves the
-// node's own normal out, so that noise is averaged.
+// Adds the normal of a fit with the part of `share` that it deserves, and returns the rest.
+template <int Degree>
+double Normal_fitter::add_fit(const Node_frame& frame, const double share, Fitted_normal& result) const
+{
+  if(!(share > 0.) || !has_enough<Degree>())
+    return share;
+  const Spread spread(frame, m_neighborhood, m_nodes);
+  if(!spread.is_regular())
+    return share;
+  Local_polynomial<Degree> polynomial;
+  for(const int j : m_neighborhood.neighbors())
+  {
+    const Vector x = frame.local(m_nodes[j].position);
+    const Eigen::Vector2d u = spread.equalized(x);
+    polynomial.add_position(u[0], u[1], x[2], weight(frame, j, x));
+  }
+  // Of the matrix scaled to a unit diagonal. Where the positions lie on few lines, such as the rows of a
+  // structured mesh, the least pivot is zero; the one-sided neighbourhoods of borders go down to 1e-5. In
+  // between the confidence changes with the order of magnitude. Rounding must not decide: below 1e-4
+  // the pivots of the normal equations are not known well enough.
+  double pivot = polynomial.template solve<1>();
+  constexpr double least_known_pivot = 1e-4;
+  if(pivot < least_known_pivot)
+    pivot = polynomial.solve_by_orthogonalization(positions(frame, spread), 1);
+  const double is_determined = pivot > 0. ? ramp(std::log10(pivot), -7., -5.) : 0.;
+  if(!(is_determined > 0.))
+    return share;
+  const Vector normal = spread.normal_of_slopes(frame, polynomial[1], polynomial[2]);
+  // a fit that turns the normal by more than 20 degrees has left the neighbourhood it can describe
+  constexpr double cosine_of_15_degrees = 0.96592582628906831, cosine_of_20_degrees = 0.93969262078590838;
+  const double part = share * is_determined
+                    * ramp(normal.dot(frame.z_axis), cosine_of_20_degrees, cosine_of_15_degrees);
+  result.normal += part * normal;
+  if(Degree == 4)
+    result.signal_over_noise = part * signal_over_noise(frame, spread, polynomial);
+  return share - part;
+}
+
+// The normal of a node from a Hermite fit over its ring that leaves its own normal out
+template <int Degree>
+Vector smoothed_normal(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const std::vector<Vector>& normals,
+                       const int i)
+{
+  constexpr double slope_weight = 0.5, relative_ridge = 1e-9;
+  const Index_range ring = cut_mesh.ring(i);
+  const Node_frame frame(nodes[i].position, normals[i], nodes[*ring.begin()].position, nodes[i].size);
+  Local_polynomial<Degree> polynomial;
+  polynomial.add_position(0., 0., 0., 1. - slope_weight);
+  for(const int j : ring)
+  {
+    const Vector x = frame.local(nodes[j].position);
+    polynomial.add_position(x[0], x[1], x[2], 1. - slope_weight);
+    double p, q;
+    if(frame.slopes_of_normal(normals[j], p, q))
+      polynomial.add_slopes(x[0], x[1], p, q, slope_weight);
+  }
+  polynomial.add_ridge(2, relative_ridge * (ring.size() + 1));
+  return polynomial.solve() > 0. ? frame.normal_of_slopes(polynomial[1], polynomial[2]) : normals[i];
+}
+
+// One sweep of Jacobi: every normal from those around, so that noise is averaged
 inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
                                             const std::vector<Vector>& normals, const Progress& progress)
 {
-  constexpr double slope_weight = 0.5;
   std::vector<Vector> result(normals);
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
   {
     progress(double(i) / cut_mesh.number_of_nodes());
-    if(normals[i] == Vector::Zero())
-      continue;
-    const Index_range ring = cut_mesh.ring(i);
-    const Node_frame frame(nodes[i].position, normals[i], nodes[*ring.begin()].position, nodes[i].size);
-    Local_polynomial<2> polynomial;
-    polynomial.add_position(0., 0., 0., 1. - slope_weight);
-    for(const int j : ring)
-    {
-      const Vector x = frame.local(nodes[j].position);
-      polynomial.add_position(x[0], x[1], x[2], 1. - slope_weight);
-      double p, q;
-      if(frame.slopes_of_normal(normals[j], p, q))
-        polynomial.add_slopes(x[0], x[1], p, q, slope_weight);
-    }
-    polynomial.add_ridge(2, 1e-9 * (ring.size() + 1));
-    if(polynomial.solve() > 0.)
-      result[i] = frame.normal_of_slopes(polynomial[1], polynomial[2]);
+    if(normals[i] != Vector::Zero())
+      result[i] = smoothed_normal<2>(cut_mesh, nodes, normals, i);
   }
   return result;
 }

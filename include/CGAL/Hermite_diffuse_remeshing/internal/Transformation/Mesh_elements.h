@@ -66,7 +66,7 @@ protected:
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<Edge> >::type Edge_map;
   typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<int> >::type Face_hint_map;
 
-  UserMesh m_user;
+  const UserMesh& m_user;
   const Reference& m_reference;
   Vertex_index_map m_vertex_index;
   Edge_map m_edge;
@@ -311,8 +311,7 @@ protected:
   void set_edge(const edge_descriptor e, const Edge& data)
   {
     put(m_edge, e, data);
-    if(get(m_user.edge_is_constrained, e) != data.is_constrained)
-      put(m_user.edge_is_constrained, e, data.is_constrained);
+    m_user.set_constrained(e, data.is_constrained);
   }
 
   void touch(const vertex_descriptor v) { m_changes.set_at_vertex(index(v)); }
@@ -368,7 +367,7 @@ private:
     Edge data;
     data.curve = m_reference.curves.curve_of_edge[reference_edge];
     data.type = m_reference.edge_classes[reference_edge];
-    data.is_constrained = get(m_user.edge_is_constrained, e);
+    data.is_constrained = m_user.is_constrained(e);
     data.is_protected = is_frozen;
     put(m_edge, e, data);
   }

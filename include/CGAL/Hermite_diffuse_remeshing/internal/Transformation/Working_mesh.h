@@ -150,7 +150,7 @@ public:
     }
     free_vertex(removed);
     m_vertices[kept].descriptor = v;
-    visit_copies(v, [&](const vertex_descriptor copy) { put_point(copy, site.point); });
+    visit_copies(v, [&](const vertex_descriptor copy) { m_user.set_point(copy, site.point); });
     note_around(v);
     touch_around(v);
     ++m_counts.collapses;
@@ -175,7 +175,7 @@ public:
     set_site(index(v), site);
     visit_copies(v, [&](const vertex_descriptor copy)
     {
-      put_point(copy, site.point);
+      m_user.set_point(copy, site.point);
       m_user.visitor.after_vertex_relocation(copy);
     });
     Base::note_relocated(v);
@@ -188,13 +188,12 @@ public:
   {
     TriangleMesh& tm = m_user.tmesh;
     m_user.visitor.before_vertex_removal(v);
-    const Face_data data = face_data(face(halfedge(v, tm), tm));
     touch_around(v);
     forget_around(v);
     free_vertex(index(v));
     m_number_of_faces -= degree(v, tm) - 1;
     const std::vector<face_descriptor> parts =
-      fill_polygon(CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm), diagonals, data);
+      fill_polygon(CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm), diagonals);
     ++m_counts.vertex_removals;
     m_user.visitor.after_vertex_removal();
     tell_of_parts(parts);
@@ -213,14 +212,13 @@ public:
       m_user.visitor.before_edge_flip(edge(next(g, tm), tm));
     touch_around(target(h, tm));
     forget_around(target(h, tm));
-    const Face_data data = face_data(face(h, tm));
     for(std::size_t i = 0; i < number_of_edges; ++i)
     {
       CGAL::Euler::join_face(next(h, tm), tm);
       --m_number_of_faces;
       ++m_counts.flips;
     }
-    const std::vector<face_descriptor> parts = fill_polygon(h, diagonals, data);
+    const std::vector<face_descriptor> parts = fill_polygon(h, diagonals);
     for(const std::pair<vertex_descriptor, vertex_descriptor>& ends : diagonals)
       m_user.visitor.after_edge_flip(edge(ends.first, ends.second, tm).first);
     tell_of_parts(parts);
@@ -271,13 +269,6 @@ public:
   }
 
 private:
-  // what new faces inherit from the one whose place they take
-  struct Face_data
-  {
-    int hint;
-    typename boost::property_traits<typename UserMesh::FacePatchMap>::value_type patch;
-  };
-
   vertex_descriptor split_sibling(const halfedge_descriptor h, const int number)
   {
     TriangleMesh& tm = m_user.tmesh;
@@ -294,7 +285,7 @@ private:
     if(!CGAL::is_border(o, tm))
       parts.push_back(split_face(o, next(opposite(h_new, tm), tm)));
     put(m_vertex_index, v, number);
-    put_point(v, m_vertices[number].site.point);
+    m_user.set_point(v, m_vertices[number].site.point);
     m_user.visitor.after_edge_split(v);
     for(const std::pair<face_descriptor, face_descriptor>& part : parts)
       m_user.visitor.after_face_split(part.first, part.second);
@@ -326,41 +317,32 @@ private:
       set_edge(edge(v, e.end, tm).first, e.data);
     put(m_vertex_index, v, kept);
     m_junctions.replace(kept, target_before, v);
-    put_point(v, m_vertices[kept].site.point);
+    m_user.set_point(v, m_vertices[kept].site.point);
     m_user.visitor.after_edge_collapse(v);
     return v;
   }
 
-  Face_data face_data(const face_descriptor f) const { return {get(m_hint, f), get(m_user.face_patch, f)}; }
-
-  void set_face_data(const face_descriptor f, const Face_data& data)
-  {
-    put(m_hint, f, data.hint);
-    m_changes.set_of_face(f);
-    put(m_user.face_patch, f, data.patch);
-  }
-
-  // Joins the targets of two halfedges of one face; both parts inherit what the face knew. Returns the face
-  // and the new one.
+  // Joins the targets of two halfedges of one face; the new one inherits what the face knew. Returns both.
   std::pair<face_descriptor, face_descriptor> split_face(const halfedge_descriptor h, const halfedge_descriptor g)
   {
     TriangleMesh& tm = m_user.tmesh;
     const face_descriptor f = face(h, tm);
-    const Face_data data = face_data(f);
     const halfedge_descriptor diagonal = CGAL::Euler::split_face(h, g, tm);
-    const halfedge_descriptor o = opposite(diagonal, tm);
+    const face_descriptor part = face(face(diagonal, tm) == f ? opposite(diagonal, tm) : diagonal, tm);
     set_edge(edge(diagonal, tm), Edge());
-    set_face_data(face(diagonal, tm), data);
-    set_face_data(face(o, tm), data);
+    put(m_hint, part, hint(f));
+    m_user.copy_patch(f, part);
+    m_changes.set_of_face(f);
+    m_changes.set_of_face(part);
     ++m_number_of_faces;
-    return std::make_pair(f, face(diagonal, tm) == f ? face(o, tm) : face(diagonal, tm));
+    return std::make_pair(f, part);
   }
 
   // splits the face of h into triangles, the first of which keeps its descriptor
-  std::vector<face_descriptor> fill_polygon(const halfedge_descriptor h, const Diagonals& diagonals, const Face_data& data)
+  std::vector<face_descriptor> fill_polygon(const halfedge_descriptor h, const Diagonals& diagonals)
   {
     const TriangleMesh& tm = tmesh();
-    set_face_data(face(h, tm), data);
+    m_changes.set_of_face(face(h, tm));
     std::vector<face_descriptor> parts(1, face(h, tm));
     for(const std::pair<vertex_descriptor, vertex_descriptor>& ends : diagonals)
       for(const face_descriptor part : parts)
@@ -385,11 +367,6 @@ private:
   {
     for(std::size_t i = 1; i < parts.size(); ++i)
       m_user.visitor.after_face_split(parts.front(), parts[i]);
-  }
-
-  void put_point(const vertex_descriptor v, const Vector& p)
-  {
-    put(m_user.points, v, m_user.traits.construct_point_3_object()(p[0], p[1], p[2]));
   }
 };
 
