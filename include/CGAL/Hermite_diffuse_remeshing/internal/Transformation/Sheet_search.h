@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Clear_ball.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Normal_cone.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Sheet_outline.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Sheet_view.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -43,12 +44,15 @@ public:
 
 private:
   const Mesh& m_mesh;
-  Search_map m_last_search;                         // that has met the face
+  Search_map m_last_search;                         // that has met the face: twice its number, and 1 more beyond
   std::size_t m_number_of_searches = 0;
   Vector m_center = Vector::Zero();
   std::vector<Met_face> m_met, m_beyond, m_candidates;      // as far as it looks, and beyond
   std::size_t m_number_of_expanded = 0, m_number_in_cone = 0;       // of those that were met
+  double m_limit = 0.;                              // of their distances
+  bool m_do_all_face = true;                        // do they turn from no other?
   Normal_cone m_cone;
+  Sheet_outline m_outline;
   Sheet_view m_view;
 
   // In a fine mesh that is being coarsened, for one, a search looks as far as it is expected to meet so many faces,
@@ -70,13 +74,13 @@ public:
   // no face has been met since
   void begin() { ++m_number_of_searches; }
 
-  bool has_met(const face_descriptor f) const { return get(m_last_search, f) == m_number_of_searches; }
+  bool has_met(const face_descriptor f) const { return get(m_last_search, f) / 2 == m_number_of_searches; }
 
   bool is_met_first(const face_descriptor f)
   {
     if(has_met(f))
       return false;
-    put(m_last_search, f, m_number_of_searches);
+    put(m_last_search, f, 2 * m_number_of_searches);
     return true;
   }
 
@@ -91,11 +95,12 @@ public:
     m_met.clear();
     m_beyond.clear();
     m_number_of_expanded = m_number_in_cone = 0;
+    m_limit = (std::numeric_limits<double>::infinity)();
+    m_do_all_face = true;
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh.tmesh()))
     {
       const vertex_descriptor s = source(h, m_mesh.tmesh());
-      meet(h, {{{m_mesh.index(v), m_mesh.index(s)}}, {{m_center, m_mesh.point(s)}}}, 0,
-           (std::numeric_limits<double>::infinity)());
+      meet(h, {{{m_mesh.index(v), m_mesh.index(s)}}, {{m_center, m_mesh.point(s)}}}, 0);
     }
     m_cone = Normal_cone(area_vector(m_met.front().triangle).normalized(), least_angle);
   }
@@ -114,15 +119,16 @@ public:
   {
     m_candidates.clear();
     m_candidates.swap(m_beyond);
+    m_limit = limit;
     for(const Met_face& met : m_candidates)
-      (met.distance < limit ? m_met : m_beyond).push_back(met);
+      enter(met);
     const double largest_number = largest_excess_of_faces * satisfying_number_of_faces;
     for(; m_number_of_expanded < m_met.size() && double(m_met.size()) < largest_number; ++m_number_of_expanded)
     {
       const Met_face met = m_met[m_number_of_expanded];
       halfedge_descriptor h = met.halfedge;
       for(int k = 0; k < 3; ++k, h = next(h, m_mesh.tmesh()))
-        meet(opposite(h, m_mesh.tmesh()), met.triangle, k, limit);
+        meet(opposite(h, m_mesh.tmesh()), met.triangle, k);
     }
   }
 
@@ -132,8 +138,10 @@ public:
     for(; m_number_in_cone < m_met.size(); ++m_number_in_cone)
     {
       const Met_face& met = m_met[m_number_in_cone];
-      if(met.distance < bound && !m_cone.add(area_vector(met.triangle).normalized(), largest_angle_found))
-        bound = met.distance;
+      if(met.distance < bound && m_cone.add(area_vector(met.triangle).normalized(), largest_angle_found))
+        continue;
+      m_do_all_face = false;
+      bound = (std::min)(bound, met.distance);
     }
     return bound;
   }
@@ -141,6 +149,8 @@ public:
   // Up to the bound: the radius within which none of the faces lies above another
   double simple_radius(const double bound)
   {
+    if(m_do_all_face && is_outline_simple())
+      return bound;
     m_view.clear();
     for(const Met_face& met : m_met)
       m_view.add(met.triangle, met.distance);
@@ -148,8 +158,32 @@ public:
   }
 
 private:
+  bool is_outline_simple()
+  {
+    const TriangleMesh& tm = m_mesh.tmesh();
+    m_outline.look_along(m_cone.axis());
+    for(const Met_face& met : m_met)
+    {
+      halfedge_descriptor h = met.halfedge;
+      for(int k = 0; k < 3; ++k, h = next(h, tm))
+      {
+        const halfedge_descriptor o = opposite(h, tm);
+        if(CGAL::is_border(o, tm) || get(m_last_search, face(o, tm)) != 2 * m_number_of_searches)
+          m_outline.add(met.triangle, k);
+      }
+    }
+    return m_outline.is_simple();
+  }
+
+  void enter(const Met_face& met)
+  {
+    const bool is_near = met.distance < m_limit;
+    put(m_last_search, face(met.halfedge, m_mesh.tmesh()), 2 * m_number_of_searches + !is_near);
+    (is_near ? m_met : m_beyond).push_back(met);
+  }
+
   // the face of h, beside the corners k and k + 1 of another
-  void meet(const halfedge_descriptor h, const Numbered_triangle& beside, const int k, const double limit)
+  void meet(const halfedge_descriptor h, const Numbered_triangle& beside, const int k)
   {
     const TriangleMesh& tm = m_mesh.tmesh();
     if(CGAL::is_border(h, tm) || !is_met_first(face(h, tm)))
@@ -158,8 +192,7 @@ private:
     const vertex_descriptor apex = target(next(h, tm), tm);
     const Numbered_triangle t = {{{beside.vertices[l], beside.vertices[k], m_mesh.index(apex)}},
                                  {{beside.points[l], beside.points[k], m_mesh.point(apex)}}};
-    const double distance = Bounding_box(t.points).distance(m_center);
-    (distance < limit ? m_met : m_beyond).push_back({h, t, distance});
+    enter({h, t, Bounding_box(t.points).distance(m_center)});
   }
 };
 
