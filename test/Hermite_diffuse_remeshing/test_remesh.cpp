@@ -707,6 +707,43 @@ void test_attribute_transfer()
     assert(is_seam[e] == HDR::internal::is_seam(mesh.halfedge(e, 0), mesh, uv));
 }
 
+// The outline of a winding stair, seen from above, crosses itself as soon as steps lie above others; that of a ring, which
+// consists of two loops, does not.
+void test_outlines()
+{
+  std::cout << "outlines" << std::endl;
+  constexpr double angle_of_step = 0.27;
+  const auto is_simple = [](const int number_of_steps, const bool is_ring)
+  {
+    const double angle = is_ring ? 2. * analytic::pi / number_of_steps : angle_of_step;
+    const auto corner = [&](const int step, const int side)
+    {
+      const int i = is_ring ? step % number_of_steps : step;
+      const double radius = 1. + side;
+      return std::make_pair(2 * i + side, HDR::internal::Vector(radius * std::cos(i * angle), radius * std::sin(i * angle),
+                                                                is_ring ? 0. : 0.1 * i));
+    };
+    HDR::internal::Sheet_outline outline;
+    outline.look_along(HDR::internal::Vector::UnitZ());
+    for(int i = 0; i < number_of_steps; ++i)
+    {
+      const auto a = corner(i, 0), b = corner(i, 1), c = corner(i + 1, 1), d = corner(i + 1, 0);
+      const HDR::internal::Numbered_triangle t = {{{a.first, b.first, c.first}}, {{a.second, b.second, c.second}}};
+      const HDR::internal::Numbered_triangle u = {{{a.first, c.first, d.first}}, {{a.second, c.second, d.second}}};
+      outline.add(t, 1);
+      outline.add(u, 2);
+      if(!is_ring && i == 0)
+        outline.add(t, 0);
+      if(!is_ring && i == number_of_steps - 1)
+        outline.add(u, 1);
+    }
+    return outline.is_simple();
+  };
+  // 23 steps are less than a turn, 24 are more
+  assert(is_simple(1, false) && is_simple(23, false) && is_simple(24, true));
+  assert(!is_simple(24, false) && !is_simple(60, false));
+}
+
 // Sheets closer to each other than the chords of the result are high: they would pass through each other.
 void test_close_sheets()
 {
@@ -787,6 +824,7 @@ int main(int argc, char** argv)
   test_visitor();
   test_output_maps();
   test_attribute_transfer();
+  test_outlines();
   test_close_sheets();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
