@@ -142,14 +142,16 @@ add_executable(user_program main.cpp)
 target_link_libraries(user_program PRIVATE Hermite_diffuse_remeshing::Hermite_diffuse_remeshing)
 END
   cat > "$folder/user/program/main.cpp" <<END
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
-#include <CGAL/number_utils.h>
 #include <Eigen/Core>
 int main()
 {
   using namespace CGAL::Hermite_diffuse_remeshing;
-  const double ratio = length_over_radius_of_elements_per_circle(6);
-  return CGAL::abs(ratio - Eigen::Vector2d::UnitX().norm()) < 1e-12 ? 0 : 1;        // a hexagon
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_2 Point;
+  const bool is_linked = CGAL::collinear(Point(0.5, 0.5), Point(12., 12.), Point(24., 24.));      // needs exact numbers
+  const double ratio = length_over_radius_of_elements_per_circle(6);                              // a hexagon
+  return is_linked && CGAL::abs(ratio - Eigen::Vector2d::UnitX().norm()) < 1e-12 ? 0 : 1;
 }
 END
   cmake -S "$folder/user" -B "$folder/build" "$@" > "$folder/log" 2>&1 \

@@ -20,11 +20,8 @@ namespace compiled_once {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 
-template <typename TriangleMesh>
-using User = CGAL::Hermite_diffuse_remeshing::internal::User_mesh<TriangleMesh>;
-
-typedef User<CGAL::Surface_mesh<Kernel::Point_3> > Surface_mesh_user;
-typedef User<CGAL::Polyhedron_3<Kernel> > Polyhedron_user;
+typedef CGAL::Hermite_diffuse_remeshing::internal::User_mesh<CGAL::Surface_mesh<Kernel::Point_3> > Surface_mesh_user;
+typedef CGAL::Hermite_diffuse_remeshing::internal::User_mesh<CGAL::Polyhedron_3<Kernel> > Polyhedron_user;
 
 } // namespace compiled_once
 

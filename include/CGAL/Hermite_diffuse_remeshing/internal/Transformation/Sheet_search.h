@@ -175,6 +175,7 @@ private:
     return m_outline.is_simple();
   }
 
+  // a face that is met for the first time, or was met beyond the last limit
   void enter(const Met_face& met)
   {
     const bool is_near = met.distance < m_limit;
@@ -186,7 +187,7 @@ private:
   void meet(const halfedge_descriptor h, const Numbered_triangle& beside, const int k)
   {
     const TriangleMesh& tm = m_mesh.tmesh();
-    if(CGAL::is_border(h, tm) || !is_met_first(face(h, tm)))
+    if(CGAL::is_border(h, tm) || has_met(face(h, tm)))
       return;
     const int l = (k + 1) % 3;
     const vertex_descriptor apex = target(next(h, tm), tm);
