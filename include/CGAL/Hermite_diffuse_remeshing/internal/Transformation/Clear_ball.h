@@ -13,7 +13,10 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <initializer_list>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -30,19 +33,48 @@ Vector area_vector(const Triangle& t)
   return (corner_of(t, 1) - corner_of(t, 0)).cross(corner_of(t, 2) - corner_of(t, 0));
 }
 
-// A ball in which all faces hang together and, seen along the axis, lie side by side and face the viewer.
+// of the corners over the plane through the center across the axis
+template <typename Triangles>
+double largest_height(const Vector& center, const Vector& axis, const std::initializer_list<const Triangles*> triangles)
+{
+  double result = 0.;
+  for(const Triangles* const some : triangles)
+    for(const auto& t : *some)
+      for(int i = 0; i < 3; ++i)
+        result = (std::max)(result, std::abs((corner_of(t, i) - center).dot(axis)));
+  return result;
+}
+
+// A ball in which all faces hang together and, seen along the axis, lie side by side and face the viewer. Where another
+// sheet comes near it is a slice of a ball, which ends halfway to the sheet: in a slice no triangle can meet what is
+// outside, however large its ball is.
 struct Clear_ball
 {
   Vector center, axis;
   double radius;                        // 0: the ball is clear no more
+  double half_height;                   // of the slice, across the axis; infinite: the whole ball
 
-  // how far a point is from the outside, if it is in the ball
-  double depth(const Vector& p) const { return radius - (p - center).norm(); }
+  double height(const Vector& p) const { return std::abs((p - center).dot(axis)); }
 
-  // the one with the center and the radius
-  bool holds(const Vector& other_center, const double other_radius) const
+  // of a triangle; zero where it meets the plane in the middle
+  double least_height_of(const Numbered_triangle& t) const
   {
-    return radius >= other_radius && (other_center - center).squaredNorm() <= CGAL::square(radius - other_radius);
+    const Vector heights((t.points[0] - center).dot(axis), (t.points[1] - center).dot(axis),
+                         (t.points[2] - center).dot(axis));
+    return (std::max)({0., heights.minCoeff(), -heights.maxCoeff()});
+  }
+
+  // how far a point is from the outside, if it is inside
+  double depth(const Vector& p) const { return (std::min)(radius - (p - center).norm(), half_height - height(p)); }
+
+  // the ball with the center and the radius, and in this the corners of triangles?
+  template <typename Triangles>
+  bool holds(const Vector& other_center, const double other_radius,
+             const std::initializer_list<const Triangles*> triangles) const
+  {
+    if(radius < other_radius || (other_center - center).squaredNorm() > CGAL::square(radius - other_radius))
+      return false;
+    return !std::isfinite(half_height) || largest_height(center, axis, triangles) <= half_height;
   }
 
   // May the triangle be made in the ball?

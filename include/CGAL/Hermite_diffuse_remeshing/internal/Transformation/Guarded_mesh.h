@@ -64,11 +64,15 @@ private:
 
   // A search looks farther than asked for, as many times as far, so that its ball serves the neighbours too.
   static constexpr double reach_of_search = 5.;
+  // It gets there in steps, for in most places a face that turns from the others ends it before.
+  static constexpr double growth_of_reach = 1.5;
   // Where no ball can be as many times as large as asked for, it takes less time to test the faces near by than to find it.
   static constexpr double least_useful_ball = 2.;
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
   // than what is clear.
   static constexpr double clearance = 1.25;
+  // Of the height of what is to be done, and of its radius: a slice that is no higher would not serve the neighbours.
+  static constexpr double headroom = 1.5, least_part_of_height = 0.05;
   // Of the shortest edge around a vertex: it may move so far before the guard is told, which takes its faces for larger
   // until then. Relocations are smaller as a rule.
   static constexpr double part_of_slack = 0.1;
@@ -120,7 +124,7 @@ public:
       for(const auto& t : *triangles)
         for(int i = 0; i < 3; ++i)
           squared_radius = (std::max)(squared_radius, (corner_of(t, i) - point(center)).squaredNorm());
-    const int ball = find_ball(center, std::sqrt(squared_radius));
+    const int ball = find_ball(center, std::sqrt(squared_radius), {&made, &replaced});
     return ball != -1
         && std::all_of(made.begin(), made.end(), [&](const auto& t) { return m_balls[ball].is_faced_by(t); });
   }
@@ -175,6 +179,12 @@ protected:
   }
 
   // \name Changes of vertices
+  void make_room_for_vertices(const std::size_t number)
+  {
+    if(m_guard)
+      m_surroundings.reserve(number);
+  }
+
   // the vertex with the number is new
   void forget_ball(const int number)
   {
@@ -226,21 +236,26 @@ private:
     return true;
   }
 
-  // A clear ball that holds the one around v with the radius: that of v, one of its neighbours, or a new one; -1 if
-  // there is none, or none worth a search. What is too close to the neighbours for a ball will be too close to v.
-  int find_ball(const vertex_descriptor v, const double radius)
+  // A clear ball that holds the one around v with the radius and, in this, the corners: that of v, one of its neighbours,
+  // or a new one; -1 if there is none, or none worth a search. What is too close to the neighbours for a ball will be too
+  // close to v.
+  template <typename Triangles>
+  int find_ball(const vertex_descriptor v, const double radius,
+                const std::initializer_list<const Triangles*> triangles)
   {
     Surroundings& around = m_surroundings[index(v)];
-    if(around.ball != -1 && m_balls[around.ball].holds(point(v), radius))
+    const auto does_hold = [&](const int ball) { return ball != -1 && m_balls[ball].holds(point(v), radius, triangles); };
+    if(does_hold(around.ball))
       return around.ball;
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tmesh()))
     {
       const Surroundings& other = m_surroundings[index(source(h, tmesh()))];
-      if(other.ball != -1 && other.ball != around.ball && m_balls[other.ball].holds(point(v), radius))
+      if(other.ball != around.ball && does_hold(other.ball))
         return around.ball = other.ball;
       around.bound = (std::min)(around.bound, other.bound + this->length(h));
     }
-    return around.bound >= least_useful_ball * radius && search(v, radius) ? around.ball : -1;
+    const auto height = [&](const Vector& axis) { return largest_height(point(v), axis, triangles); };
+    return around.bound >= least_useful_ball * radius && search(v, radius, height) ? around.ball : -1;
   }
 
   double slack_of(const vertex_descriptor v) const
@@ -254,41 +269,51 @@ private:
     return std::isfinite(shortest) ? part_of_slack * shortest : 0.;
   }
 
-  // Looks for a ball around v, with the radius at least. Faces are met as far as they hang together; the ball ends at
-  // the nearest that turns from the others or lies above them, or at another sheet. Where no ball was found beside,
-  // that of a thin sheet as a rule, the other one is looked for before faces farther away.
-  bool search(const vertex_descriptor v, const double radius)
+  // Looks for a ball around v, with the radius at least, which holds corners up to `height(axis)` above the plane through v.
+  // Faces are met as far as they hang together; the ball ends at the nearest that turns from the others or lies above
+  // them, or at another sheet. Where no ball was found beside, that of a thin sheet as a rule, the other one is looked
+  // for before faces farther away.
+  template <typename Height>
+  bool search(const vertex_descriptor v, const double radius, const Height& height)
   {
     if(!note_moved())
       return false;
-    const Vector center = point(v);
     const double needed = clearance * radius;
     m_search->begin_at(v);
-    double clear = (std::max)(needed, (std::min)(reach_of_search * needed, m_search->satisfying_reach()));
+    Clear_ball ball = {point(v), m_search->axis(), 0., (std::numeric_limits<double>::infinity)()};
+    ball.radius = (std::max)(needed, (std::min)(reach_of_search * needed, m_search->satisfying_reach()));
+    const auto look_up_to = [&](const double reach)
+    {
+      m_search->meet_up_to(reach);
+      ball.radius = m_search->facing_radius(ball.radius);
+      ball.axis = m_search->axis();
+    };
+    const auto least_height = [&] { return (std::max)(headroom * height(ball.axis), least_part_of_height * radius); };
     Surroundings& around = m_surroundings[index(v)];
+    look_up_to(needed);
     if(std::isfinite(around.bound))
     {
-      m_search->meet_up_to(needed);
-      clear = m_search->facing_radius(clear);
-      if(clear >= needed)
-        clear = (std::min)(clear, distance_of_other_sheet(center, needed));
+      const double reach = without_other_sheets(ball, needed, least_height()).radius;
+      if(reach < needed)
+        ball.radius = (std::min)(ball.radius, reach);
     }
-    if(clear >= needed)
+    for(double reach = needed; ball.radius > reach; )
     {
-      m_search->meet_up_to(clear);
-      clear = m_search->facing_radius(clear);
+      reach = (std::min)(growth_of_reach * reach, ball.radius);
+      look_up_to(reach);
     }
-    if(clear >= needed)
-      clear = m_search->simple_radius(clear);
-    if(clear >= needed)
-      clear = (std::min)(clear, distance_of_other_sheet(center, clear));
-    if(clear < needed)
+    if(ball.radius >= needed)
+      ball.radius = m_search->simple_radius(ball.radius);
+    if(ball.radius >= needed)
+      ball = without_other_sheets(ball, ball.radius, least_height());
+    if(ball.radius < needed)
     {
-      around.bound = clear / clearance;
+      around.bound = ball.radius / clearance;
       return false;
     }
     around.ball = static_cast<int>(m_balls.size());
-    m_balls.push_back({center, m_search->axis(), clear / clearance});
+    ball.radius /= clearance;
+    m_balls.push_back(ball);
     tell_vertices_inside();
     return true;
   }
@@ -307,19 +332,34 @@ private:
       }
   }
 
-  // that of the nearest face, closer than `limit`, that the search has not met; else infinity
-  double distance_of_other_sheet(const Vector& center, const double limit) const
+  // Up to a radius, the part of a ball without the faces that the search has not met: it ends before the nearest that
+  // leaves a slice of less than the height, and halfway to those farther above or below.
+  Clear_ball without_other_sheets(Clear_ball ball, double radius, const double least_height) const
   {
-    double result = limit;
-    const Vector reach = Vector::Constant(limit);
-    m_guard->visit_near(Bounding_box(center - reach, center + reach), [&](const face_descriptor f, const Bounding_box& box)
+    struct Other { double distance, half_height; };
+    std::vector<Other> others;
+    const Vector reach = Vector::Constant(radius);
+    m_guard->visit_near(Bounding_box(ball.center - reach, ball.center + reach),
+                        [&](const face_descriptor f, const Bounding_box& box)
     {
-      const double distance = box.distance(center);
-      if(distance < result && !m_search->has_met(f))
-        result = distance;
+      if(box.distance(ball.center) >= radius || m_search->has_met(f))
+        return true;
+      // without the slack of the guard's box, as the search measures it
+      const Numbered_triangle t = triangle(f);
+      const Other other = {Bounding_box(t.points).distance(ball.center), ball.least_height_of(t) / 2.};
+      if(other.distance >= radius)
+        return true;
+      if(other.half_height < least_height)
+        radius = other.distance;
+      else
+        others.push_back(other);
       return true;
     });
-    return result < limit ? result : (std::numeric_limits<double>::infinity)();
+    ball.radius = radius;
+    for(const Other& other : others)
+      if(other.distance < radius)
+        ball.half_height = (std::min)(ball.half_height, other.half_height);
+    return ball;
   }
 
   // Triangles that turn from the axis end a ball for good; where a border moves, it has to be found again.

@@ -109,6 +109,10 @@ private:
   {
     // of the time that is left: finer levels take four times as long
     constexpr double part_of_level = 0.2;
+    // of the predicted faces: a few more are made by splits and go by collapses
+    constexpr double part_of_room = 1.1;
+    m_mesh.make_room(static_cast<std::size_t>((std::min)(part_of_room * predicted_number_of_faces(m_mesh),
+                                                         double(m_mesh.maximum_number_of_faces()))));
     int level = coarsest_level(m_mesh);
     if(level > 0)
       set_level(m_mesh, level);

@@ -110,6 +110,20 @@ public:
   bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }
   void report_progress(const double fraction) { m_user.visitor.progress(fraction); }
 
+  // Room for a number of faces that are remeshed: a mesh that grows face by face is copied again and again.
+  void make_room(const std::size_t number_of_faces)
+  {
+    if(number_of_faces <= m_number_of_faces)
+      return;
+    TriangleMesh& tm = m_user.tmesh;
+    const std::size_t more_faces = number_of_faces - m_number_of_faces;
+    const std::size_t more_vertices = more_faces / 2 + 1, more_edges = more_vertices + more_faces;   // as Euler has it
+    reserve(tm, num_vertices(tm) + more_vertices, num_edges(tm) + more_edges, num_faces(tm) + more_faces);
+    m_vertices.reserve(m_vertices.size() + more_vertices);
+    m_places.reserve(m_places.size() + more_vertices);
+    Base::make_room_for_vertices(m_vertices.size() + more_vertices);
+  }
+
   // \name Operations
   // The caller has made sure that they are legal.
 

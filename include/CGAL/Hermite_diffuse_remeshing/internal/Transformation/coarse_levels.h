@@ -28,6 +28,13 @@ void set_level(Working_mesh<UserMesh>& mesh, const int level)
   mesh.update_sizes();
 }
 
+// how many faces the sizes of the level make
+template <typename UserMesh>
+double predicted_number_of_faces(const Working_mesh<UserMesh>& mesh)
+{
+  return mesh.reference().sizes.number_of_faces([&](const int f) { return mesh.is_reference_face_remeshed(f); });
+}
+
 // The level to begin with
 template <typename UserMesh>
 int coarsest_level(const Working_mesh<UserMesh>& mesh)
@@ -41,15 +48,13 @@ int coarsest_level(const Working_mesh<UserMesh>& mesh)
   if(is_nearly_adapted(mesh))
     return 0;
   Size_map& sizes = mesh.reference().sizes;
-  const auto number_of_faces = [&]
-  { return sizes.number_of_faces([&](const int f) { return mesh.is_reference_face_remeshed(f); }); };
   const double least = (std::max)(least_number, least_part_of_input * double(mesh.number_of_faces()));
-  double number = number_of_faces();
+  double number = predicted_number_of_faces(mesh);
   int level = 0;
   for(; number >= least_ratio * least; ++level)
   {
     sizes.set_coarseness(std::ldexp(1., level + 1));
-    const double coarser_number = number_of_faces();
+    const double coarser_number = predicted_number_of_faces(mesh);
     if(coarser_number < least || number < least_ratio * coarser_number)
       break;
     number = coarser_number;

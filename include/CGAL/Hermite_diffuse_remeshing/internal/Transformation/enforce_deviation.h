@@ -203,7 +203,7 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
     is_finished = is_last;
     meter.update(since);
   }
-  return meter.deviations();
+  return std::move(meter.deviations());
 }
 
 } // namespace internal

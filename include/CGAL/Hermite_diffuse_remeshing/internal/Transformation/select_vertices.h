@@ -11,8 +11,6 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
 
-#include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,31 +42,32 @@ first_neighbor(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<U
   return first;
 }
 
-// The vertices that may change their place and have changed neighbours, in the order of their numbers.
+// The vertices that may change their place and have changed neighbours, in the order of their numbers; one of the copies
+// stands for all.
 template <typename UserMesh>
 std::vector<typename Working_mesh<UserMesh>::vertex_descriptor>
 movable_vertices(const Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
-  typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
-  std::vector<std::pair<int, vertex_descriptor> > numbered;
-  std::size_t step = 0;
-  for(const vertex_descriptor v : vertices(mesh.tmesh()))
-  {
-    if(mesh.is_stopped_at(step++))
-      return std::vector<vertex_descriptor>();
-    if(mesh.has_changed(v, since) && !mesh.is_fixed(v)
-       && first_remeshed_halfedge(mesh, v) != Working_mesh<UserMesh>::Graph_traits::null_halfedge())
-      numbered.push_back(std::make_pair(mesh.index(v), v));
-  }
-  // one of the copies of a vertex stands for all
-  std::stable_sort(numbered.begin(), numbered.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  numbered.erase(std::unique(numbered.begin(), numbered.end(),
-                             [](const auto& a, const auto& b) { return a.first == b.first; }), numbered.end());
+  typedef Working_mesh<UserMesh> Mesh;
+  typedef typename Mesh::vertex_descriptor vertex_descriptor;
   std::vector<vertex_descriptor> result;
-  result.reserve(numbered.size());
-  for(const auto& entry : numbered)
-    result.push_back(entry.second);
+  for(int i = 0; i < static_cast<int>(mesh.number_of_vertex_slots()); ++i)
+  {
+    if(mesh.is_stopped_at(i))
+      return std::vector<vertex_descriptor>();
+    const vertex_descriptor v = mesh.vertex(i);
+    if(v == Mesh::Graph_traits::null_vertex() || !mesh.has_changed(i, since) || mesh.is_fixed(v))
+      continue;
+    bool is_found = false;
+    mesh.visit_copies(v, [&](const vertex_descriptor copy)
+    {
+      if(!is_found && first_remeshed_halfedge(mesh, copy) != Mesh::Graph_traits::null_halfedge())
+      {
+        result.push_back(copy);
+        is_found = true;
+      }
+    });
+  }
   return result;
 }
 
