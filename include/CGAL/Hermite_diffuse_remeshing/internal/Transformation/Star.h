@@ -133,6 +133,8 @@ public:
     Vector best = start.point;
     Flat_badness least = flat_badness(sides, best, Flat_badness{(std::numeric_limits<double>::infinity)(),
                                                                 -(std::numeric_limits<double>::infinity)()});
+    if(m_objective == MEAN && !is_decrease_in_sight(sides, start.point, first_step * radius, frame, least.sum))
+      return start;
     const std::size_t stride = m_objective == MEAN ? 2 : 1;
     std::size_t first = 0;
     for(double step = first_step; step >= last_step; )
@@ -215,6 +217,27 @@ private:
         return {(std::numeric_limits<double>::infinity)(), score};
     }
     return result;
+  }
+
+  // The parabola through three sums along an axis, with the steps 0 and +-1, has its minimum
+  // (f(1) - f(-1))^2 / (8 (f(1) - 2 f(0) + f(-1))) below f(0).
+  bool is_decrease_in_sight(const Sides& sides, const Vector& p, const double step, const Node_frame& frame,
+                            const double sum) const
+  {
+    // of the sum: half of what makes a move worth it, as sums are no parabolas
+    constexpr double negligible_decrease = 0.01;
+    const Flat_badness no_limit{(std::numeric_limits<double>::infinity)(), -(std::numeric_limits<double>::infinity)()};
+    double decrease = 0.;
+    for(const Vector* const axis : {&frame.x_axis, &frame.y_axis})
+    {
+      const double before = flat_badness(sides, p - step * *axis, no_limit).sum;
+      const double after = flat_badness(sides, p + step * *axis, no_limit).sum;
+      const double curvature = before - 2. * sum + after;
+      if(!(curvature > 0.))
+        return true;
+      decrease += CGAL::square(after - before) / (8. * curvature);
+    }
+    return decrease > negligible_decrease * sum;
   }
 
   template <typename UserMesh>
