@@ -102,7 +102,8 @@ class Face_excesses
   const Mesh& m_mesh;
   std::vector<int> m_excesses;          // by the number of the vertex
 
-  static constexpr int unknown = (std::numeric_limits<int>::max)();
+  // of a vertex that has not been asked for yet, and of one that has other sectors at other edges
+  static constexpr int unknown = (std::numeric_limits<int>::max)(), by_sector = unknown - 1;
 
 public:
   explicit Face_excesses(const Mesh& mesh) : m_mesh(mesh), m_excesses(mesh.number_of_vertex_slots(), unknown) {}
@@ -120,6 +121,22 @@ public:
     return gain;
   }
 
+  // May the flip of an edge be no loss? The vertices of the edge are remembered. Inside the surface most flips are one,
+  // which is found out by less than whether they are possible.
+  bool may_gain(const halfedge_descriptor h)
+  {
+    const auto& tm = m_mesh.tmesh();
+    const halfedge_descriptor o = opposite(h, tm);
+    if(CGAL::is_border(h, tm) || CGAL::is_border(o, tm))
+      return false;
+    bool are_all_remembered = true;
+    for(const halfedge_descriptor g : {h, o, next(h, tm), next(o, tm)})
+      are_all_remembered = remember(g) && are_all_remembered;
+    if(are_all_remembered)
+      return gain_of_flip(h) >= 0 && is_flippable(m_mesh, h);
+    return is_flippable(m_mesh, h) && gain_of_flip(h) >= 0;
+  }
+
   // before the flip
   void follow_flip(const halfedge_descriptor h)
   {
@@ -131,32 +148,27 @@ public:
       change(g, 1);
   }
 
-  // the same, for the first time: what it finds is remembered
-  int first_gain_of_flip(const halfedge_descriptor h)
+private:
+  int number(const halfedge_descriptor h) const { return m_mesh.index(target(h, m_mesh.tmesh())); }
+  bool is_remembered(const halfedge_descriptor h) const { return m_excesses[number(h)] < by_sector; }
+
+  bool remember(const halfedge_descriptor h)
   {
-    const auto& tm = m_mesh.tmesh();
-    const halfedge_descriptor o = opposite(h, tm);
-    for(const halfedge_descriptor g : {h, o, next(h, tm), next(o, tm)})
-    {
-      int& excess = m_excesses[m_mesh.index(target(g, tm))];
-      if(excess == unknown && m_mesh.data(target(g, tm)).type == SURFACE_VERTEX)
-        excess = excess_of_faces(m_mesh, g);
-    }
-    return gain_of_flip(h);
+    int& excess = m_excesses[number(h)];
+    if(excess == unknown)
+      excess = m_mesh.data(target(h, m_mesh.tmesh())).type == SURFACE_VERTEX ? excess_of_faces(m_mesh, h) : by_sector;
+    return excess != by_sector;
   }
 
-private:
   int excess(const halfedge_descriptor h) const
   {
-    const int result = m_excesses[m_mesh.index(target(h, m_mesh.tmesh()))];
-    return result == unknown ? excess_of_faces(m_mesh, h) : result;
+    return is_remembered(h) ? m_excesses[number(h)] : excess_of_faces(m_mesh, h);
   }
 
   void change(const halfedge_descriptor h, const int difference)
   {
-    int& excess = m_excesses[m_mesh.index(target(h, m_mesh.tmesh()))];
-    if(excess != unknown)
-      excess += difference;
+    if(is_remembered(h))
+      m_excesses[number(h)] += difference;
   }
 };
 
@@ -249,9 +261,8 @@ std::size_t flip_edges_by_valence(Working_mesh<UserMesh>& mesh, const std::size_
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   Face_excesses<UserMesh> excesses(mesh);
-  // the cheaper and the more selective questions come first
   const auto queue = collect_edges(mesh, since, LONGEST_FIRST, [&](const halfedge_descriptor h)
-                                   { return is_flippable(mesh, h) && excesses.first_gain_of_flip(h) >= 0; });
+                                   { return excesses.may_gain(h); });
   return flip_in_order(mesh, queue, [&](const halfedge_descriptor h)
   {
     const int gain = excesses.gain_of_flip(h);
