@@ -139,11 +139,11 @@ Site better_site_on_curve(const Reference& reference, const Site& start, const s
     bool is_moved = false;
     for(const double s : {center - step, center + step})
     {
-      if(s <= ends.first || s >= ends.second || !is_allowed(s))
+      if(s <= ends.first || s >= ends.second)
         continue;
       const Site candidate = reference.curve_site(best.curve, s);
       const Star::Badness b = star.badness(candidate);
-      if(b.sum < (1. - score_margin) * least.sum && b.worst.score >= least.worst.score - score_rounding)
+      if(b.sum < (1. - score_margin) * least.sum && b.worst.score >= least.worst.score - score_rounding && is_allowed(s))
       {
         least = b;
         best = candidate;
