@@ -297,13 +297,13 @@ private:
       if(reach < needed)
         ball.radius = (std::min)(ball.radius, reach);
     }
-    for(double reach = needed; ball.radius > reach; )
-    {
+    for(double reach = needed; ball.radius > reach; look_up_to(reach))
       reach = (std::min)(growth_of_reach * reach, ball.radius);
-      look_up_to(reach);
-    }
     if(ball.radius >= needed)
+    {
+      m_search->narrow_to(v, ball.radius);
       ball.radius = m_search->simple_radius(ball.radius);
+    }
     if(ball.radius >= needed)
       ball = without_other_sheets(ball, ball.radius, least_height());
     if(ball.radius < needed)

@@ -90,18 +90,10 @@ public:
   // with the faces around v
   void begin_at(const vertex_descriptor v)
   {
-    begin();
     m_center = m_mesh.point(v);
-    m_met.clear();
-    m_beyond.clear();
-    m_number_of_expanded = m_number_in_cone = 0;
-    m_limit = (std::numeric_limits<double>::infinity)();
+    meet_around(v);
+    m_number_in_cone = 0;
     m_do_all_face = true;
-    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh.tmesh()))
-    {
-      const vertex_descriptor s = source(h, m_mesh.tmesh());
-      meet(h, {{{m_mesh.index(v), m_mesh.index(s)}}, {{m_center, m_mesh.point(s)}}}, 0);
-    }
     m_cone = Normal_cone(area_vector(m_met.front().triangle).normalized(), least_angle);
   }
 
@@ -146,6 +138,18 @@ public:
     return bound;
   }
 
+  // Meets no faces but those up to a distance at which all face the viewer: what hangs together with v by others alone
+  // counts as another sheet from now on.
+  void narrow_to(const vertex_descriptor v, const double limit)
+  {
+    if(m_do_all_face)
+      return;
+    meet_around(v);
+    meet_up_to(limit);
+    m_number_in_cone = m_met.size();
+    m_do_all_face = true;
+  }
+
   // Up to the bound: the radius within which none of the faces lies above another
   double simple_radius(const double bound)
   {
@@ -158,6 +162,20 @@ public:
   }
 
 private:
+  void meet_around(const vertex_descriptor v)
+  {
+    begin();
+    m_met.clear();
+    m_beyond.clear();
+    m_number_of_expanded = 0;
+    m_limit = (std::numeric_limits<double>::infinity)();
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, m_mesh.tmesh()))
+    {
+      const vertex_descriptor s = source(h, m_mesh.tmesh());
+      meet(h, {{{m_mesh.index(v), m_mesh.index(s)}}, {{m_center, m_mesh.point(s)}}}, 0);
+    }
+  }
+
   bool is_outline_simple()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
