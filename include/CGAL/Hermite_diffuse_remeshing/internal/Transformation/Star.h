@@ -22,6 +22,13 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
+// how far the minimum of the parabola through three values at -1, 0 and 1 is below the middle one; infinite if it has none
+inline double decrease_of_parabola(const double before, const double middle, const double after)
+{
+  const double curvature = before - 2. * middle + after;
+  return curvature > 0. ? CGAL::square(after - before) / (8. * curvature) : (std::numeric_limits<double>::infinity)();
+}
+
 // The triangles that a vertex makes with the edges opposite to it, whether they are in the mesh or only
 // being considered: it tells what they are worth with the vertex at another site, and finds a good one.
 class Star
@@ -133,7 +140,7 @@ public:
     Vector best = start.point;
     Flat_badness least = flat_badness(sides, best, Flat_badness{(std::numeric_limits<double>::infinity)(),
                                                                 -(std::numeric_limits<double>::infinity)()});
-    if(m_objective == MEAN && !is_decrease_in_sight(sides, start.point, first_step * radius, frame, least.sum))
+    if(!is_every_decrease_sought() && !is_decrease_in_sight(sides, start.point, first_step * radius, frame, least.sum))
       return start;
     const std::size_t stride = m_objective == MEAN ? 2 : 1;
     std::size_t first = 0;
@@ -161,6 +168,11 @@ public:
     }
     return best == start.point ? start : m_reference.surface_site(best, start.location.face);
   }
+
+  // Of a sum of badness: half of what makes a move worth it, as sums are no parabolas. Where less is in sight, sites need
+  // not be compared.
+  static constexpr double negligible_decrease = 0.01;
+  bool is_every_decrease_sought() const { return m_objective != MEAN; }
 
 private:
   // What is the same for all candidates in the tangent plane: the side opposite to them, and the model's normal.
@@ -219,24 +231,14 @@ private:
     return result;
   }
 
-  // The parabola through three sums along an axis, with the steps 0 and +-1, has its minimum
-  // (f(1) - f(-1))^2 / (8 (f(1) - 2 f(0) + f(-1))) below f(0).
   bool is_decrease_in_sight(const Sides& sides, const Vector& p, const double step, const Node_frame& frame,
                             const double sum) const
   {
-    // of the sum: half of what makes a move worth it, as sums are no parabolas
-    constexpr double negligible_decrease = 0.01;
     const Flat_badness no_limit{(std::numeric_limits<double>::infinity)(), -(std::numeric_limits<double>::infinity)()};
     double decrease = 0.;
     for(const Vector* const axis : {&frame.x_axis, &frame.y_axis})
-    {
-      const double before = flat_badness(sides, p - step * *axis, no_limit).sum;
-      const double after = flat_badness(sides, p + step * *axis, no_limit).sum;
-      const double curvature = before - 2. * sum + after;
-      if(!(curvature > 0.))
-        return true;
-      decrease += CGAL::square(after - before) / (8. * curvature);
-    }
+      decrease += decrease_of_parabola(flat_badness(sides, p - step * *axis, no_limit).sum, sum,
+                                       flat_badness(sides, p + step * *axis, no_limit).sum);
     return decrease > negligible_decrease * sum;
   }
 

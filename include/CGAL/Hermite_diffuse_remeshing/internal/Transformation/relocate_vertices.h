@@ -133,6 +133,12 @@ Site better_site_on_curve(const Reference& reference, const Site& start, const s
   const auto shortest_step = [&]
   { return last_step * (std::min)(best.parameter - ends.first, ends.second - best.parameter); };
   Star::Badness least = star.badness(best);
+  const double before = start.parameter - first_step * mean_length, after = start.parameter + first_step * mean_length;
+  if(!star.is_every_decrease_sought() && before > ends.first && after < ends.second
+     && decrease_of_parabola(star.badness(reference.curve_site(start.curve, before)).sum, least.sum,
+                             star.badness(reference.curve_site(start.curve, after)).sum)
+        <= Star::negligible_decrease * least.sum)
+    return start;
   for(double step = first_step * mean_length; step > 0. && step >= shortest_step(); )
   {
     const double center = best.parameter;
