@@ -291,7 +291,7 @@ private:
     const auto least_height = [&] { return (std::max)(headroom * height(ball.axis), least_part_of_height * radius); };
     Surroundings& around = m_surroundings[index(v)];
     look_up_to(needed);
-    if(std::isfinite(around.bound))
+    if(ball.radius >= needed && std::isfinite(around.bound))
     {
       const double reach = without_other_sheets(ball, needed, least_height()).radius;
       if(reach < needed)

@@ -109,13 +109,10 @@ private:
   {
     // of the time that is left: finer levels take four times as long
     constexpr double part_of_level = 0.2;
-    // of the predicted faces: a few more are made by splits and go by collapses
-    constexpr double part_of_room = 1.1;
-    m_mesh.make_room(static_cast<std::size_t>((std::min)(part_of_room * predicted_number_of_faces(m_mesh),
-                                                         double(m_mesh.maximum_number_of_faces()))));
     int level = coarsest_level(m_mesh);
     if(level > 0)
       set_level(m_mesh, level);
+    make_room_for_level(m_mesh);
     m_progress = m_part_of_progress = 0.;
     Base::begin_part(level > 0 ? part_of_level : 1.);
     Stop_reason reason = run_passes(0, m_maximum_number_of_iterations, 0);
@@ -126,6 +123,7 @@ private:
       Base::begin_part(level > 1 ? part_of_level : 1.);
       m_number_of_iterations = 0;
       set_level(m_mesh, --level);
+      make_room_for_level(m_mesh);
       // nearly all are split; new vertices have to be near in memory if they are in space
       split_long_edges_once(m_mesh, Length_band::longest_before_refinement(), 0, BY_NUMBER);
       // of the four parts of a triangle three meet at a middle that the last split has not joined

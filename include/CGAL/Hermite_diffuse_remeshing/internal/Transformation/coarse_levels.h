@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -33,6 +35,17 @@ template <typename UserMesh>
 double predicted_number_of_faces(const Working_mesh<UserMesh>& mesh)
 {
   return mesh.reference().sizes.number_of_faces([&](const int f) { return mesh.is_reference_face_remeshed(f); });
+}
+
+// Level by level: with sizes that are far too small the mesh would ask for more memory than there is before a stop could
+// be asked for.
+template <typename UserMesh>
+void make_room_for_level(Working_mesh<UserMesh>& mesh)
+{
+  // of the predicted faces: some more are made by splits and go by collapses
+  constexpr double part_of_room = 1.1;
+  const double most = (std::min)(double(mesh.maximum_number_of_faces()), double((std::numeric_limits<int>::max)()));
+  mesh.make_room(static_cast<std::size_t>((std::min)(part_of_room * predicted_number_of_faces(mesh), most)));
 }
 
 // The level to begin with
