@@ -201,8 +201,9 @@ auto uniform(const double size)
                 .maximum_number_of_faces(std::size_t(20000000));
 }
 
+// `size`: a length, or a field, which follows the mesh
 template <typename Size>
-void remesh_isotropically(Mesh& mesh, const Size& size, const int number_of_iterations)
+void remesh_isotropically(Mesh& mesh, Size&& size, const int number_of_iterations)
 {
   const auto is_sharp = mesh.add_property_map<Mesh::Edge_index, bool>("e:is_sharp", false).first;
   PMP::detect_sharp_edges(mesh, sharp_angle, is_sharp);
