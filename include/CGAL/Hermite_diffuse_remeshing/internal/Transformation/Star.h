@@ -48,6 +48,7 @@ public:
 private:
   const Reference& m_reference;
   Objective m_objective;
+  double m_negligible_decrease = 0.;
   boost::container::small_vector<Triangle, 16> m_triangles;
   const Site* m_first = nullptr;        // the neighbour with the smallest number: turns with the input
   int m_first_index = (std::numeric_limits<int>::max)();
@@ -169,10 +170,12 @@ public:
     return best == start.point ? start : m_reference.surface_site(best, start.location.face);
   }
 
-  // Of a sum of badness: half of what makes a move worth it, as sums are no parabolas. Where less is in sight, sites need
-  // not be compared.
-  static constexpr double negligible_decrease = 0.01;
-  bool is_every_decrease_sought() const { return m_objective != MEAN; }
+  // Sites are not compared where the parabolas through three sums promise to lower the badness by less than a part of it.
+  // They say nothing of the worst triangle.
+  void ignore_decreases_below(const double part) { m_negligible_decrease = part; }
+
+  bool is_negligible(const double decrease, const double sum) const { return decrease < m_negligible_decrease * sum; }
+  bool is_every_decrease_sought() const { return m_negligible_decrease == 0.; }
 
 private:
   // What is the same for all candidates in the tangent plane: the side opposite to them, and the model's normal.
@@ -239,7 +242,7 @@ private:
     for(const Vector* const axis : {&frame.x_axis, &frame.y_axis})
       decrease += decrease_of_parabola(flat_badness(sides, p - step * *axis, no_limit).sum, sum,
                                        flat_badness(sides, p + step * *axis, no_limit).sum);
-    return decrease > negligible_decrease * sum;
+    return !is_negligible(decrease, sum);
   }
 
   template <typename UserMesh>
