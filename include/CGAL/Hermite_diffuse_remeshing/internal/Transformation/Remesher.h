@@ -78,14 +78,13 @@ public:
     // In a whole mesh a search where all triangles around are as good takes as long as elsewhere, and gains less than a
     // hundredth; after the coarser levels most are. While a part settles that has been refined for the deviation every
     // move counts.
-    const bool is_thorough = since_change > 0;
-    const double good_score = is_thorough ? 1. : 0.9;
+    const double good_score = since_change == 0 ? 0.9 : 1.;
     for(int i = 0; i < maximum_number_of_optimisation_passes; ++i)
     {
       std::size_t changes =
         since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_score(m_mesh, since); });
       changes += since_last(m_improved_at, [&](const std::size_t since)
-                            { return improve_vertices(m_mesh, since, good_score, is_thorough); });
+                            { return improve_vertices(m_mesh, since, good_score); });
       Base::report_progress(double(i + 1) / maximum_number_of_optimisation_passes);
       if(m_mesh.is_stopped() || Base::is_negligible(changes, Base::negligible_part, since_change))
         break;

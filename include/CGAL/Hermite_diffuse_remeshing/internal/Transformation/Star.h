@@ -22,13 +22,6 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// how far the minimum of the parabola through three values at -1, 0 and 1 is below the middle one; infinite if it has none
-inline double decrease_of_parabola(const double before, const double middle, const double after)
-{
-  const double curvature = before - 2. * middle + after;
-  return curvature > 0. ? CGAL::square(after - before) / (8. * curvature) : (std::numeric_limits<double>::infinity)();
-}
-
 // The triangles that a vertex makes with the edges opposite to it, whether they are in the mesh or only
 // being considered: it tells what they are worth with the vertex at another site, and finds a good one.
 class Star
@@ -48,7 +41,6 @@ public:
 private:
   const Reference& m_reference;
   Objective m_objective;
-  double m_negligible_decrease = 0.;
   boost::container::small_vector<Triangle, 16> m_triangles;
   const Site* m_first = nullptr;        // the neighbour with the smallest number: turns with the input
   int m_first_index = (std::numeric_limits<int>::max)();
@@ -141,8 +133,6 @@ public:
     Vector best = start.point;
     Flat_badness least = flat_badness(sides, best, Flat_badness{(std::numeric_limits<double>::infinity)(),
                                                                 -(std::numeric_limits<double>::infinity)()});
-    if(!is_every_decrease_sought() && !is_decrease_in_sight(sides, start.point, first_step * radius, frame, least.sum))
-      return start;
     const std::size_t stride = m_objective == MEAN ? 2 : 1;
     std::size_t first = 0;
     for(double step = first_step; step >= last_step; )
@@ -169,13 +159,6 @@ public:
     }
     return best == start.point ? start : m_reference.surface_site(best, start.location.face);
   }
-
-  // Sites are not compared where the parabolas through three sums promise to lower the badness by less than a part of it.
-  // They say nothing of the worst triangle.
-  void ignore_decreases_below(const double part) { m_negligible_decrease = part; }
-
-  bool is_negligible(const double decrease, const double sum) const { return decrease < m_negligible_decrease * sum; }
-  bool is_every_decrease_sought() const { return m_negligible_decrease == 0.; }
 
 private:
   // What is the same for all candidates in the tangent plane: the side opposite to them, and the model's normal.
@@ -232,17 +215,6 @@ private:
         return {(std::numeric_limits<double>::infinity)(), score};
     }
     return result;
-  }
-
-  bool is_decrease_in_sight(const Sides& sides, const Vector& p, const double step, const Node_frame& frame,
-                            const double sum) const
-  {
-    const Flat_badness no_limit{(std::numeric_limits<double>::infinity)(), -(std::numeric_limits<double>::infinity)()};
-    double decrease = 0.;
-    for(const Vector* const axis : {&frame.x_axis, &frame.y_axis})
-      decrease += decrease_of_parabola(flat_badness(sides, p - step * *axis, no_limit).sum, sum,
-                                       flat_badness(sides, p + step * *axis, no_limit).sum);
-    return !is_negligible(decrease, sum);
   }
 
   template <typename UserMesh>

@@ -133,11 +133,6 @@ Site better_site_on_curve(const Reference& reference, const Site& start, const s
   const auto shortest_step = [&]
   { return last_step * (std::min)(best.parameter - ends.first, ends.second - best.parameter); };
   Star::Badness least = star.badness(best);
-  const double before = start.parameter - first_step * mean_length, after = start.parameter + first_step * mean_length;
-  if(!star.is_every_decrease_sought() && before > ends.first && after < ends.second
-     && star.is_negligible(decrease_of_parabola(star.badness(reference.curve_site(start.curve, before)).sum, least.sum,
-                                                star.badness(reference.curve_site(start.curve, after)).sum), least.sum))
-    return start;
   for(double step = first_step * mean_length; step > 0. && step >= shortest_step(); )
   {
     const double center = best.parameter;
@@ -173,17 +168,13 @@ Site better_site(const Working_mesh<UserMesh>& mesh, const typename Working_mesh
 }
 
 // Moves every vertex near which something has changed to where its triangles are best on the whole and
-// the worst is no worse than before, unless all of them have a better score than `good_score` or, if not `is_thorough`,
-// little is to be gained.
+// the worst is no worse than before, unless all of them have a better score than `good_score`.
 template <typename UserMesh>
-std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since, const double good_score,
-                             const bool is_thorough)
+std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t since, const double good_score)
 {
   typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
   // of the badness: a smaller gain is not worth a move, and the sweeps come to rest
   constexpr double least_gain = 0.02;
-  // of this: what a sum has beside a parabola
-  constexpr double part_in_sight = 0.5;
   return relocate_vertices(mesh, since, [&](const vertex_descriptor v) -> std::optional<Site>
   {
     Star star(mesh.reference(), Star::MEAN);
@@ -192,8 +183,6 @@ std::size_t improve_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
     const Star::Badness before_move = star.badness(old_site);
     if(before_move.worst.score > good_score)
       return std::nullopt;
-    if(!is_thorough)
-      star.ignore_decreases_below(part_in_sight * least_gain);
     const Site site = better_site(mesh, v, star);
     if(site.point == old_site.point)
       return std::nullopt;
