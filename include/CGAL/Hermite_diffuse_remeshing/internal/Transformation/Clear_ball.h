@@ -33,18 +33,6 @@ Vector area_vector(const Triangle& t)
   return (corner_of(t, 1) - corner_of(t, 0)).cross(corner_of(t, 2) - corner_of(t, 0));
 }
 
-// of the corners over the plane through the center across the axis
-template <typename Triangles>
-double largest_height(const Vector& center, const Vector& axis, const std::initializer_list<const Triangles*> triangles)
-{
-  double result = 0.;
-  for(const Triangles* const some : triangles)
-    for(const auto& t : *some)
-      for(int i = 0; i < 3; ++i)
-        result = (std::max)(result, std::abs((corner_of(t, i) - center).dot(axis)));
-  return result;
-}
-
 // A ball in which all faces hang together and, seen along the axis, lie side by side and face the viewer. Where another
 // sheet comes near it is a slice of a ball, which ends halfway to the sheet: in a slice no triangle can meet what is
 // outside, however large its ball is.
@@ -54,7 +42,20 @@ struct Clear_ball
   double radius;                        // 0: the ball is clear no more
   double half_height;                   // of the slice, across the axis; infinite: the whole ball
 
+  // \name Heights above or below the plane through the center across the axis
   double height(const Vector& p) const { return std::abs((p - center).dot(axis)); }
+
+  // of the corners
+  template <typename Triangles>
+  double largest_height(const std::initializer_list<const Triangles*> triangles) const
+  {
+    double result = 0.;
+    for(const Triangles* const some : triangles)
+      for(const auto& t : *some)
+        for(int i = 0; i < 3; ++i)
+          result = (std::max)(result, height(corner_of(t, i)));
+    return result;
+  }
 
   // of a triangle; zero where it meets the plane in the middle
   double least_height_of(const Numbered_triangle& t) const
@@ -64,6 +65,7 @@ struct Clear_ball
     return (std::max)({0., heights.minCoeff(), -heights.maxCoeff()});
   }
 
+  // \name Queries
   // how far a point is from the outside, if it is inside
   double depth(const Vector& p) const { return (std::min)(radius - (p - center).norm(), half_height - height(p)); }
 
@@ -74,7 +76,7 @@ struct Clear_ball
   {
     if(radius < other_radius || (other_center - center).squaredNorm() > CGAL::square(radius - other_radius))
       return false;
-    return !std::isfinite(half_height) || largest_height(center, axis, triangles) <= half_height;
+    return !std::isfinite(half_height) || largest_height(triangles) <= half_height;
   }
 
   // May the triangle be made in the ball?

@@ -254,8 +254,7 @@ private:
         return around.ball = other.ball;
       around.bound = (std::min)(around.bound, other.bound + this->length(h));
     }
-    const auto height = [&](const Vector& axis) { return largest_height(point(v), axis, triangles); };
-    return around.bound >= least_useful_ball * radius && search(v, radius, height) ? around.ball : -1;
+    return around.bound >= least_useful_ball * radius && search(v, radius, triangles) ? around.ball : -1;
   }
 
   double slack_of(const vertex_descriptor v) const
@@ -269,12 +268,11 @@ private:
     return std::isfinite(shortest) ? part_of_slack * shortest : 0.;
   }
 
-  // Looks for a ball around v, with the radius at least, which holds corners up to `height(axis)` above the plane through v.
-  // Faces are met as far as they hang together; the ball ends at the nearest that turns from the others or lies above
-  // them, or at another sheet. Where no ball was found beside, that of a thin sheet as a rule, the other one is looked
-  // for before faces farther away.
-  template <typename Height>
-  bool search(const vertex_descriptor v, const double radius, const Height& height)
+  // Looks for a ball around v, with the radius at least, which holds the corners. Faces are met as far as they hang
+  // together; the ball ends at the nearest that turns from the others or lies above them, or at another sheet. Where no
+  // ball was found beside, that of a thin sheet as a rule, the other one is looked for before faces farther away.
+  template <typename Triangles>
+  bool search(const vertex_descriptor v, const double radius, const std::initializer_list<const Triangles*> triangles)
   {
     if(!note_moved())
       return false;
@@ -288,14 +286,14 @@ private:
       ball.radius = m_search->facing_radius(ball.radius);
       ball.axis = m_search->axis();
     };
-    const auto least_height = [&] { return (std::max)(headroom * height(ball.axis), least_part_of_height * radius); };
+    const auto least_height = [&] { return (std::max)(headroom * ball.largest_height(triangles), least_part_of_height * radius); };
     Surroundings& around = m_surroundings[index(v)];
     look_up_to(needed);
     if(ball.radius >= needed && std::isfinite(around.bound))
     {
       const double reach = without_other_sheets(ball, needed, least_height()).radius;
       if(reach < needed)
-        ball.radius = (std::min)(ball.radius, reach);
+        ball.radius = reach;
     }
     for(double reach = needed; ball.radius > reach; look_up_to(reach))
       reach = (std::min)(growth_of_reach * reach, ball.radius);

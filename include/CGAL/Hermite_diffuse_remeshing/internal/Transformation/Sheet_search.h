@@ -150,10 +150,10 @@ public:
     m_do_all_face = true;
   }
 
-  // Up to the bound: the radius within which none of the faces lies above another
+  // Up to the bound: the radius within which none of the faces, which all face the viewer, lies above another
   double simple_radius(const double bound)
   {
-    if(m_do_all_face && is_outline_simple())
+    if(is_outline_simple())
       return bound;
     m_view.clear();
     for(const Met_face& met : m_met)

@@ -127,8 +127,6 @@ public:
   {
     const auto& tm = m_mesh.tmesh();
     const halfedge_descriptor o = opposite(h, tm);
-    if(CGAL::is_border(h, tm) || CGAL::is_border(o, tm))
-      return false;
     bool are_all_remembered = true;
     for(const halfedge_descriptor g : {h, o, next(h, tm), next(o, tm)})
       are_all_remembered = remember(g) && are_all_remembered;
