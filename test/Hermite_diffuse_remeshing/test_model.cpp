@@ -601,38 +601,33 @@ void test_feature_displacements()
   assert(ok);
 }
 
-// A chord between two places over neighbouring faces crosses their common side where its projection does.
-void test_crossing_of_ridge()
-{
-  Indexed_triangles square;
-  square.points = {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(0., 1., 0.), Vector(1., 1., 0.)};
-  square.triangles = {{{0, 1, 2}}, {{1, 3, 2}}};
-  const auto model = make_model(square);
-  const Location first{0, {{0.5, 0.25, 0.25}}}, second{1, {{0.25, 0.5, 0.25}}};
-  const Vector p(0.25, 0.25, 0.1), q(0.75, 0.5, -0.2);                // x + y is 1/2 and 5/4
-  Location crossing = crossing_of_ridge(model->surface, first, p, second, q);
-  assert(crossing.face == 0 && (square.point(crossing) - Vector(7. / 12., 5. / 12., 0.)).norm() < 1e-12);
-  crossing = crossing_of_ridge(model->surface, second, q, first, p);
-  assert(crossing.face == 1 && (square.point(crossing) - Vector(7. / 12., 5. / 12., 0.)).norm() < 1e-12);
-  assert(crossing_of_ridge(model->surface, first, p, first, q).face == -1);
-  assert(crossing_of_ridge(model->surface, first, p, second, p).face == -1);
-  assert(crossings_of_ridges(model->surface, first, p, second, q).size() == 1);
-}
-
-// from the first of three faces to the last
-void test_crossings_of_two_ridges()
+// A chord that begins over a face crosses the sides of faces where its projection does.
+void test_crossings_of_ridges()
 {
   Indexed_triangles strip;
   strip.points = {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(0., 1., 0.), Vector(1., 1., 0.), Vector(0., 2., 0.)};
   strip.triangles = {{{0, 1, 2}}, {{1, 3, 2}}, {{2, 3, 4}}};
   const auto model = make_model(strip);
-  const Location first{0, {{0.1, 0.3, 0.6}}}, last{2, {{0.4, 0.4, 0.2}}};
-  const Vector p(0.3, 0.6, 0.1), q(0.4, 1.2, -0.2);
-  const auto crossings = crossings_of_ridges(model->surface, first, p, last, q);
-  assert(crossings.size() == 2);
-  assert((strip.point(crossings[0]) - Vector(2.2 / 7., 4.8 / 7., 0.)).norm() < 1e-12);
-  assert((strip.point(crossings[1]) - Vector(1.1 / 3., 1., 0.)).norm() < 1e-12);
-  assert(crossings_of_ridges(model->surface, first, p, last, p).empty());
+  const auto check = [&](const int face, const Vector& p, const Vector& q, const std::vector<Vector>& expected)
+  {
+    const auto crossings = crossings_of_ridges(model->surface, face, p, q);
+    assert(crossings.size() == expected.size());
+    for(std::size_t i = 0; i < expected.size(); ++i)
+      assert((strip.point(crossings[i]) - expected[i]).norm() < 1e-12);
+  };
+  const Vector p(0.25, 0.25, 0.1), q(0.75, 0.5, -0.2);                // x + y is 1/2 and 5/4
+  check(0, p, q, {Vector(7. / 12., 5. / 12., 0.)});
+  check(1, q, p, {Vector(7. / 12., 5. / 12., 0.)});
+  check(0, p, p, {});
+  check(1, q, Vector(0.75, 0.75, 0.), {});
+  const Vector first(0.3, 0.6, 0.1), last(0.4, 1.2, -0.2);
+  const Vector diagonal(2.2 / 7., 4.8 / 7., 0.), side(1.1 / 3., 1., 0.);
+  check(0, first, last, {diagonal, side});
+  check(2, last, first, {side, diagonal});
+  // from a place on a side, over the face behind it
+  check(0, diagonal, last, {diagonal, side});
+  // beyond the mesh
+  check(0, Vector(0.4, 0.4, 0.), Vector(1.6, 0.4, 0.), {Vector(0.6, 0.4, 0.)});
 }
 
 // A small face that is folded over, whose weight in the normal of its vertex would be the largest, does not turn it.
@@ -711,8 +706,7 @@ int main()
   test_symmetric_meshes();
   test_sharp_edges();
   test_feature_displacements();
-  test_crossing_of_ridge();
-  test_crossings_of_two_ridges();
+  test_crossings_of_ridges();
   test_normal_beside_folded_face();
   test_projection();
   test_projection_beyond_border();

@@ -1,6 +1,9 @@
 #include "mesh_measures.h"
 #include "test_helpers.h"
 
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Hermite_diffuse_remeshing/Attribute_transfer.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -487,6 +490,40 @@ void test_small_holes()
   assert(largest_distance(input, output) <= displacement + deviation);
 }
 
+// Where the model is the facets, no point of a face that comes near the bound is farther from them than the deviation that
+// is told of the face.
+void test_deviations_of_faces(const Surface_mesh& input)
+{
+  std::cout << "deviations of faces" << std::endl;
+  typedef Surface_mesh::Point Point;
+  typedef CGAL::AABB_face_graph_triangle_primitive<Surface_mesh> Primitive;
+  typedef CGAL::AABB_traits<CGAL::Kernel_traits<Point>::Kernel, Primitive> Traits;
+  Surface_mesh mesh = input;
+  const auto deviations = mesh.add_property_map<Surface_mesh::Face_index, double>("f:deviation").first;
+  const double bound = 1e-3 * diagonal_of_box(input), least = 0.75 * bound;
+  PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.05).gradation(2.).maximum_displacement(0.)
+                                      .maximum_deviation(bound).face_deviation_map(deviations));
+  const CGAL::AABB_tree<Traits> facets(faces(input).begin(), faces(input).end(), input);
+  constexpr int n = 12;
+  std::size_t number_of_far = 0;
+  for(const Surface_mesh::Face_index f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    const Point p = mesh.point(mesh.source(h)), q = mesh.point(mesh.target(h)), r = mesh.point(mesh.target(mesh.next(h)));
+    double largest = 0.;
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; i + j <= n; ++j)
+      {
+        const Point at = CGAL::barycenter(p, double(n - i - j) / n, q, double(i) / n, r, double(j) / n);
+        largest = (std::max)(largest, std::sqrt(facets.squared_distance(at)));
+      }
+    number_of_far += largest > least;
+    assert(largest <= least || largest <= deviations[f]);
+  }
+  std::cout << "  " << number_of_far << " of " << mesh.number_of_faces() << " above three quarters of the bound" << std::endl;
+  assert(number_of_far > 10);
+}
+
 // The result stays that close to the facets, with the sizes of the smooth surface.
 void test_maximum_displacement(const Surface_mesh& input)
 {
@@ -818,6 +855,8 @@ int main(int argc, char** argv)
   test_pleat();
   test_maximum_deviation();
   test_small_holes();
+  test_deviations_of_faces(read_data<Surface_mesh>("elephant.off"));
+  test_deviations_of_faces(read_data<Surface_mesh>("joint.off"));
   test_maximum_displacement(read_data<Surface_mesh>("elephant.off"));
   test_maximum_displacement(read_data<Surface_mesh>("fandisk.off"));
   test_size_field();

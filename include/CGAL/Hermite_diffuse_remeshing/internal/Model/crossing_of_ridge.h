@@ -11,63 +11,73 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
 
-#include <boost/container/static_vector.hpp>
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// The model has a ridge along the sides of coarse faces, where their fits meet; over needles one of many degrees. Where
-// a chord between two places of faces with a common side crosses it, in the middle plane of both faces: the place on
-// the side. Without a face if there is none.
-inline Location crossing_of_ridge(const Reference_surface& surface, const Location& from, const Vector& p,
-                                  const Location& to, const Vector& q)
+// Where a chord leaves a face of the reference.
+struct Chord_crossing
 {
+  int beside = -1;                      // the next face; -1 if the chord ends in this one, or a feature or border ends it
+  double part = 0.;                     // of the chord, up to here
+  double miss = (std::numeric_limits<double>::infinity)();      // beyond the end of the side, in lengths of it
+  Location location;                    // on the side
+};
+
+// In the middle plane of both faces at a side, beyond the part of the chord from p to q. `came_from`: the face before.
+inline Chord_crossing leave_face(const Reference_surface& surface, const int face, const int came_from, const Vector& p,
+                                 const Vector& q, const double part)
+{
+  // of the chord: what rounding makes of places on a side
+  constexpr double tolerance = 1e-9;
+  // of a side: past a vertex the chord may miss all sides, since their middle planes lean
+  constexpr double largest_miss = 0.1;
   const Indexed_triangles& triangles = surface.triangles();
+  const Vector normal = triangles.area_vector(face).stableNormalized();
+  Chord_crossing result;
   for(int k = 0; k < 3; ++k)
   {
-    if(surface.cut_mesh().neighbor(from.face, k) != to.face)
+    const int beside = surface.cut_mesh().neighbor(face, k);
+    if(beside == -1 || beside == came_from)
       continue;
-    const Vector end = triangles.point(from.face, k), side = triangles.point(from.face, next(k)) - end;
-    const Vector across = side.cross(triangles.area_vector(from.face).stableNormalized()
-                                     + triangles.area_vector(to.face).stableNormalized());
-    const double before = (p - end).dot(across), behind = (q - end).dot(across);
-    if(!(before * behind < 0.))
+    const Vector end = triangles.point(face, k), side = triangles.point(face, next(k)) - end;
+    const Vector outward = side.cross(normal + triangles.area_vector(beside).stableNormalized());
+    const double speed = (q - p).dot(outward), at = (end - p).dot(outward) / speed;
+    if(!(speed > 0. && at >= part - tolerance && at < 1.))
       continue;
-    const Vector crossing = p + before / (before - behind) * (q - p);
-    const double u = (crossing - end).dot(side) / side.squaredNorm();
-    if(u > 0. && u < 1.)
-      return location_on_side({from.face, k}, u);
+    const double u = (p + at * (q - p) - end).dot(side) / side.squaredNorm();
+    const double miss = (std::max)({0., -u, u - 1.});
+    if(miss < (std::min)(result.miss, largest_miss))
+      result = {beside, at, miss, location_on_side({face, k}, (std::min)((std::max)(u, 0.), 1.))};
   }
-  return Location();
+  return result;
 }
 
-// The same where the faces have no common side but one between them, as at the thin end of a needle: the places on both
-// sides of it. Farther apart the vertices of the faces tell enough.
-inline boost::container::static_vector<Location, 2>
-crossings_of_ridges(const Reference_surface& surface, const Location& from, const Vector& p, const Location& to,
-                    const Vector& q)
+// The model has a ridge along the sides of coarse faces, where their fits meet; over needles one of many degrees, and
+// where it may not leave the facets, at all of them. Where a chord that begins over the face crosses them.
+inline boost::container::small_vector<Location, 4>
+crossings_of_ridges(const Reference_surface& surface, int face, const Vector& p, const Vector& q)
 {
-  boost::container::static_vector<Location, 2> result;
-  if(from.face == to.face)
-    return result;
-  const Location crossing = crossing_of_ridge(surface, from, p, to, q);
-  if(crossing.face != -1)
-    result.push_back(crossing);
-  else
-    for(int k = 0; k < 3 && result.empty(); ++k)
-    {
-      Location between;
-      between.face = surface.cut_mesh().neighbor(from.face, k);
-      if(between.face == -1 || between.face == to.face)
-        continue;
-      const Location second = crossing_of_ridge(surface, between, p, to, q);
-      if(second.face == -1)
-        continue;
-      const Location first = crossing_of_ridge(surface, from, p, between, q);
-      if(first.face != -1)
-        result = {first, second};
-    }
+  // where a chord spans more faces, their vertices tell enough
+  constexpr std::size_t largest_number = 64;
+  boost::container::small_vector<Location, 4> result;
+  int came_from = -1;
+  for(double part = 0.; result.size() < largest_number; )
+  {
+    const Chord_crossing crossing = leave_face(surface, face, came_from, p, q, part);
+    if(crossing.beside == -1)
+      break;
+    result.push_back(crossing.location);
+    came_from = face;
+    face = crossing.beside;
+    part = crossing.part;
+  }
   return result;
 }
 

@@ -290,8 +290,12 @@ private:
   void measure_ridges()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
+    // near its facets the model may go up and down between the middles, which tell nothing
+    const bool is_smooth = !m_mesh.reference().surface.saturation().is_bounded();
     const auto is_high = [&](const int f)
     {
+      if(!is_smooth)
+        return true;
       if(f == -1 || !(m_gaps[f].bound() > part_of_ridges * m_second_look))
         return false;
       return m_gaps[f].ridge > negligible_ridge * m_gaps[f].bound()

@@ -42,14 +42,16 @@ Ridge_point measure_ridge_point(const Working_mesh<UserMesh>& mesh, const Locati
 
 // those above the edge of h
 template <typename UserMesh>
-boost::container::static_vector<Ridge_point, 2>
+boost::container::small_vector<Ridge_point, 4>
 ridge_points_over_edge(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
 {
+  const Reference& reference = mesh.reference();
   const Site& from = mesh.site(source(h, mesh.tmesh()));
-  const Site& to = mesh.site(target(h, mesh.tmesh()));
-  boost::container::static_vector<Ridge_point, 2> result;
+  // of a place on a curve the face on our side
+  const int first = from.has_normal() ? from.location.face : reference.locator.walk(from.point, mesh.hint(h)).face;
+  boost::container::small_vector<Ridge_point, 4> result;
   for(const Location& crossing :
-      crossings_of_ridges(mesh.reference().surface, from.location, from.point, to.location, to.point))
+      crossings_of_ridges(reference.surface, first, from.point, mesh.point(target(h, mesh.tmesh()))))
     result.push_back(measure_ridge_point(mesh, crossing, face(h, mesh.tmesh())));
   return result;
 }
