@@ -139,9 +139,11 @@ public:
 private:
   static double raised(const Mesh& mesh)
   {
-    return 1. + (mesh.reference().surface.saturation().is_bounded() ? Deviations<UserMesh>::unseen_part_at_facets
-                                                                    : Deviations<UserMesh>::unseen_part);
+    return 1. + (is_smooth(mesh) ? Deviations<UserMesh>::unseen_part : Deviations<UserMesh>::unseen_part_at_facets);
   }
+
+  // else the model stays near the facets of the reference, and has their edges
+  static bool is_smooth(const Mesh& mesh) { return !mesh.reference().surface.saturation().is_bounded(); }
 
   // of the faces that there are now: the mesh is not ours, so the map does not grow with it
   Face_index_map make_index_map() const { return get(CGAL::dynamic_face_property_t<int>(), m_mesh.tmesh()); }
@@ -224,13 +226,12 @@ private:
   void measure_centroids()
   {
     const Barycentric center = {{1. / 3., 1. / 3., 1. / 3.}};
-    const bool is_smooth = !m_mesh.reference().surface.saturation().is_bounded();
     std::vector<int> high_faces;
     for(const int f : m_new_faces)
     {
       Face_gaps& gaps = m_gaps[f];
       gaps.centroid = gaps.height_of_quadric();
-      if(!is_smooth || gaps.bound() + gaps.ridge > part_of_centroids * m_second_look)
+      if(!is_smooth(m_mesh) || gaps.bound() + gaps.ridge > part_of_centroids * m_second_look)
         high_faces.push_back(f);
       else
         enter_centroid(f, {m_deviations.faces[f].location, std::abs(gaps.centroid)});
@@ -290,11 +291,10 @@ private:
   void measure_ridges()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
-    // near its facets the model may go up and down between the middles, which tell nothing
-    const bool is_smooth = !m_mesh.reference().surface.saturation().is_bounded();
     const auto is_high = [&](const int f)
     {
-      if(!is_smooth)
+      // near its facets the model may go up and down between the middles, which tell nothing
+      if(!is_smooth(m_mesh))
         return true;
       if(f == -1 || !(m_gaps[f].bound() > part_of_ridges * m_second_look))
         return false;

@@ -41,7 +41,8 @@ struct Deviations
   // the height over a face is looked for, and the rest for what the model has between its points and what a cubic
   // does not tell of it. CGAL's distances are up to 3 % above those at the points, and 4.5 % on coarse slivers.
   static constexpr double unseen_part = 0.05;
-  // and where the model may not leave its facets, and has their edges, of which cubics know nothing: 14 % have been seen near a bound
+  // and where the model may not leave its facets, and has their edges, of which cubics know nothing: 14 % have been seen
+  // at faces near their bound
   static constexpr double unseen_part_at_facets = 0.15;
 
   std::vector<Face_deviation<face_descriptor> > faces;
