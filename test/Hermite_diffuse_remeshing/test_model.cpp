@@ -6,9 +6,13 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Feature_displacements.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/crossing_of_ridge.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <cassert>
 #include <cmath>
 #include <iostream>
+#include <utility>
+#include <vector>
 
 using namespace measures;
 using analytic::Test_surface;
@@ -109,25 +113,23 @@ template <int Degree>
 Local_quadric bare_fit(const Reference_surface& surface, const Location& location)
 {
   Local_quadric result = surface.evaluate(location);
-  Node_weights weights;
-  std::vector<Node> nodes;
-  for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i)
-    nodes.push_back(surface.node(i));
-  collect_node_weights(surface.cut_mesh(), nodes, location, weights);
   const double t = surface.options().hermite_weight;
   Local_polynomial<Degree> polynomial;
   double largest = 0.;
-  for(const Node_weight& w : weights)
+  int number_of_nodes = 0;
+  surface.visit_weights(location, [&](const int i, const double weight)
   {
-    const double omega = interpolating_weight(w.weight, 2);
+    const Node& node = surface.node(i);
+    const double omega = interpolating_weight(weight, 2);
     largest = (std::max)(largest, omega);
-    const Vector d = (nodes[w.node].position - result.origin) / result.size, n = nodes[w.node].normal;
+    ++number_of_nodes;
+    const Vector d = (node.position - result.origin) / result.size, n = node.normal;
     const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), nz = n.dot(result.z_axis);
     polynomial.add_position(x, y, d.dot(result.z_axis), (1. - t) * omega);
     polynomial.add_slopes(x, y, -n.dot(result.x_axis) / nz, -n.dot(result.y_axis) / nz, t * omega);
-  }
+  });
   for(int i = 3; i < Local_polynomial<Degree>::size; ++i)
-    polynomial.add_ridge_on_coefficient(i, 1e-9 * weights.size() * (std::min)(1., largest));
+    polynomial.add_ridge_on_coefficient(i, 1e-9 * number_of_nodes * (std::min)(1., largest));
   assert(polynomial.solve() > 0.);
   for(int i = 0; i < 6; ++i)
     result.a[i] = polynomial[i];
@@ -251,6 +253,49 @@ void test_continuity()
           ok = is_at_most(s[i].name + ", turn", turn, 1e-15) && ok;
       }
   assert(ok);
+}
+
+// Around a vertex with very many faces each of them has more nodes than are remembered.
+void test_weights_at_many_faces()
+{
+  constexpr int number_of_faces = 100;
+  Indexed_triangles dome;
+  dome.points.push_back(Vector(0., 0., 0.));
+  for(int i = 0; i < number_of_faces; ++i)
+  {
+    const double angle = 2. * boost::math::constants::pi<double>() * i / number_of_faces;
+    dome.points.push_back(Vector(std::cos(angle), 1.2 * std::sin(angle), -0.1));
+    dome.triangles.push_back({{0, 1 + i, 1 + (i + 1) % number_of_faces}});
+  }
+  const auto model = make_model(dome);
+  typedef std::vector<std::pair<int, double> > Weights;
+  const auto weights_at = [&](const Location& location)
+  {
+    Weights result;
+    model->surface.visit_weights(location, [&](const int node, const double weight)
+                                 { result.push_back(std::make_pair(model->surface.cut_mesh().vertex(node), weight)); });
+    return result;
+  };
+  for(int f = 0; f < number_of_faces; ++f)
+  {
+    const int a = 1 + f, b = 1 + (f + 1) % number_of_faces;
+    const auto beside = [](const int v) { return std::make_pair(1 + (v - 1 + number_of_faces - 1) % number_of_faces,
+                                                                1 + v % number_of_faces); };
+    const Weights inside = weights_at({f, {{0.5, 0.2, 0.3}}});
+    assert(inside.size() == std::size_t(number_of_faces) + 1);
+    for(const auto& entry : inside)
+    {
+      const int v = entry.first;
+      const bool is_beside_a = v == beside(a).first || v == beside(a).second;
+      const bool is_beside_b = v == beside(b).first || v == beside(b).second;
+      const double expected = v == 0 ? 0.5 + 0.25 : 0.25 + (v == a ? 0.2 : is_beside_a ? 0.1 : 0.)
+                                                         + (v == b ? 0.3 : is_beside_b ? 0.15 : 0.);
+      assert(std::abs(entry.second - expected) < 1e-15);
+    }
+    // the face before has b where this one has a
+    assert(weights_at({f, {{0.4, 0.6, 0.}}})
+           == weights_at({(f + number_of_faces - 1) % number_of_faces, {{0.4, 0., 0.6}}}));
+  }
 }
 
 // Heights over the facets saturate at the bound; the quadric tells how, to the second order.
@@ -702,6 +747,7 @@ int main()
   test_maximum_displacement();
   test_interpolation();
   test_continuity();
+  test_weights_at_many_faces();
   test_invariance();
   test_symmetric_meshes();
   test_sharp_edges();

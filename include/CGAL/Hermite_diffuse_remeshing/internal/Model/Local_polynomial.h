@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_LOCAL_POLYNOMIAL_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Polynomial_moments.h>
+
 #include <Eigen/Core>
 #include <Eigen/Householder>
 
@@ -16,59 +18,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
-
-// Monomials x^(order-j) y^j are numbered by order, then by j.
-constexpr int number_of_monomials(const int degree) { return (degree + 1) * (degree + 2) / 2; }
-constexpr int monomial(const int order, const int j) { return order * (order + 1) / 2 + j; }
-
-// How the normal matrix of a polynomial of the given degree is made of the moments of the data. With
-// M and N the sums of w x^a y^b over positions and slopes, the entry of x^a y^b and x^c y^d is
-//   M(a+c,b+d) + ac N(a+c-2,b+d) + bd N(a+c,b+d-2),
-// and the right-hand side of x^a y^b is  Z(a,b) + a P(a-1,b) + b Q(a,b-1)  with the sums Z, P, Q of
-// w z x^a y^b and so on. A product that is absent has factor 0 and any moment. The combined equations of
-// `Local_polynomial` with the order n multiply a monomial of order o by n - o: they add moments of their
-// own with the factor (n-a-b)(n-c-d), and n-a-b on the right-hand side.
-template <int Degree>
-struct Moment_table
-{
-  struct Entry { int position, slope_x, slope_y; double factor_x, factor_y, combined_factor; };
-
-  static constexpr int size = number_of_monomials(Degree);
-  // the lowest even order above the degree
-  static constexpr int combined_order = 2 * (Degree / 2) + 2;
-  Entry matrix[size][size] = {};         // symmetric
-  Entry rhs[size] = {};
-
-  constexpr Moment_table()
-  {
-    for(int o = 0; o <= Degree; ++o)
-      for(int j = 0; j <= o; ++j)
-      {
-        const int row = monomial(o, j);
-        rhs[row].slope_x = o > j ? monomial(o - 1, j) : 0;
-        rhs[row].slope_y = j > 0 ? monomial(o - 1, j - 1) : 0;
-        rhs[row].factor_x = o - j;
-        rhs[row].factor_y = j;
-        rhs[row].combined_factor = combined_order - o;
-        for(int p = 0; p <= Degree; ++p)
-          for(int k = 0; k <= p; ++k)
-          {
-            Entry& entry = matrix[row][monomial(p, k)];
-            entry.position = monomial(o + p, j + k);
-            entry.factor_x = (o - j) * (p - k);
-            entry.factor_y = j * k;
-            entry.combined_factor = (combined_order - o) * (combined_order - p);
-            entry.slope_x = entry.factor_x > 0. ? monomial(o + p - 2, j + k) : 0;
-            entry.slope_y = entry.factor_y > 0. ? monomial(o + p - 2, j + k - 2) : 0;
-          }
-      }
-  }
-};
 
 // Weighted Hermite least squares in one fixed frame (paper, section 2.6): the polynomial
 //   f(x,y) = a0 + a1 x + a2 y + a3 x^2 + a4 xy + a5 y^2 + a6 x^3 + a7 x^2 y + a8 x y^2 + a9 y^3 ...
@@ -83,8 +36,6 @@ struct Moment_table
 //   n (f - z) - x (f_x - p) - y (f_y - q) = 0
 // is free of terms of order n. Added with a large weight it makes second derivatives about twice as
 // accurate; noise, of which it takes n times the position's, too.
-//
-// The data only enter by moments, which costs a third of adding up the products of equations.
 template <int Degree>
 class Local_polynomial
 {
@@ -92,34 +43,20 @@ public:
   static constexpr int size = number_of_monomials(Degree);
 
 private:
-  static constexpr Moment_table<Degree> table = Moment_table<Degree>();
-  static constexpr int size_of_slopes = number_of_monomials(Degree - 1);
-
-  // An even number of values fills the vector registers. One that is added has any value and is not read.
-  template <int Size>
-  using Values = Eigen::Array<double, (Size + 1) / 2 * 2, 1>;
-  typedef Values<number_of_monomials(2 * Degree)> Monomials;
-  typedef Values<number_of_monomials(2 * Degree - 2)> Slope_monomials;
-
-  Monomials m_moments = Monomials::Zero();
-  Slope_monomials m_slope_moments = Slope_monomials::Zero();
-  Monomials m_combined_moments = Monomials::Zero();
-  Values<size> m_z = Values<size>::Zero(), m_combined_z = Values<size>::Zero();
-  Values<size_of_slopes> m_p = Values<size_of_slopes>::Zero(), m_q = Values<size_of_slopes>::Zero();
-  Values<size> m_ridge = Values<size>::Zero();
-  Values<size> m_coefficients = Values<size>::Zero();
+  Polynomial_moments<Degree> m_moments;
+  std::array<double, size> m_ridge = {}, m_coefficients = {};
 
 public:
   // f(x,y) = z
   void add_position(const double x, const double y, const double z, const double weight)
   {
-    add_positions(monomials(x, y), z, weight);
+    m_moments.add(x, y, z, weight, 0., 0., 0., 0.);
   }
 
   // f_x(x,y) = p and f_y(x,y) = q
   void add_slopes(const double x, const double y, const double p, const double q, const double weight)
   {
-    add_slopes(monomials(x, y), p, q, weight);
+    m_moments.add(x, y, 0., 0., p, q, weight, 0.);
   }
 
   // both, and the combined equation
@@ -127,11 +64,7 @@ public:
                                const double p, const double q, const double slope_weight,
                                const double combined_weight)
   {
-    const Monomials m = monomials(x, y);
-    add_positions(m, z, weight);
-    add_slopes(m, p, q, slope_weight);
-    if(combined_weight > 0.)
-      add_combined(m, table.combined_order * z - x * p - y * q, combined_weight);
+    m_moments.add(x, y, z, weight, p, q, slope_weight, combined_weight);
   }
 
   // Adds `ridge` times the square of one coefficient.
@@ -158,49 +91,51 @@ public:
   template <int First = 0>
   double solve()
   {
+    m_moments.finish();
     Matrix a;
-    Values<size>& x = m_coefficients;
-    for_each<First, size>([&](const auto row)
+    std::array<double, size>& x = m_coefficients;
+    std::array<double, size> diagonal, inverse;
+    for_each_constant<First, size>([&](const auto row)
     {
       constexpr int i = decltype(row)::value;
-      a[i].template tail<Values<size>::SizeAtCompileTime - i / 2 * 2>().setZero();
-      for_each<i, size>([&](const auto column) { a[i][column] = matrix_entry<i, decltype(column)::value>(); });
-      a[i][i] += m_ridge[i];
-      x[i] = m_z[i] + table.rhs[i].factor_x * m_p[table.rhs[i].slope_x]
-                    + table.rhs[i].factor_y * m_q[table.rhs[i].slope_y]
-                    + table.rhs[i].combined_factor * m_combined_z[i];
+      for_each_constant<i / 2, number_of_pairs>([&](const auto pair)
+      {
+        constexpr int j = 2 * decltype(pair)::value;
+        a[i][j / 2] = Pair(matrix_entry<i, j>(), matrix_entry<i, j + 1>());
+      });
+      diagonal[i] = entry(a, i, i);
+      x[i] = m_moments.template right_hand_side<i>();
     });
 
-    std::array<double, size> diagonal, inverse;
-    for(int i = First; i < size; ++i)
-      diagonal[i] = a[i][i];
     double smallest_pivot = 1.;
-    for_each<First, size>([&](const auto eliminated)
+    for_each_constant<First, size>([&](const auto eliminated)
     {
       constexpr int k = decltype(eliminated)::value;
-      const double pivot = a[k][k];
+      const double pivot = entry(a, k, k);
       if(!(pivot > std::numeric_limits<double>::epsilon() * diagonal[k]))
         smallest_pivot = 0.;
       if(pivot < smallest_pivot * diagonal[k])
         smallest_pivot = pivot / diagonal[k];
       inverse[k] = 1. / pivot;
-      for_each<k + 1, size>([&](const auto row)
+      for_each_constant<k + 1, size>([&](const auto row)
       {
-        // from an even column on, so that pairs are aligned; what is left of the diagonal is not read
-        constexpr int i = decltype(row)::value, length = Values<size>::SizeAtCompileTime - i / 2 * 2;
-        const double factor = a[k][i] * inverse[k];
-        a[i].template tail<length>() -= factor * a[k].template tail<length>();
+        constexpr int i = decltype(row)::value;
+        const double factor = entry(a, k, i) * inverse[k];
+        for(int pair = i / 2; pair < number_of_pairs; ++pair)
+          a[i][pair] -= factor * a[k][pair];
         x[i] -= factor * x[k];
       });
     });
     if(!(smallest_pivot > 0.))
       return 0.;
-    for(int k = size - 1; k >= First; --k)
+    // column by column: what follows waits for one product only, not for a sum of them
+    for_each_constant<First, size>([&](const auto index)
     {
-      for(int i = k + 1; i < size; ++i)
-        x[k] -= a[k][i] * x[i];
+      constexpr int k = size - 1 + First - decltype(index)::value;
       x[k] *= inverse[k];
-    }
+      for(int i = First; i < k; ++i)
+        x[i] -= entry(a, i, k) * x[k];
+    });
     return smallest_pivot;
   }
 
@@ -214,7 +149,7 @@ public:
     Eigen::MatrixXd matrix(n, number_of_unknowns + 1);          // the right hand side in the last column
     for(Eigen::Index i = 0; i < n; ++i)
     {
-      const Monomials m = monomials(positions(i, 0), positions(i, 1));
+      const std::array<double, size> m = monomials(positions(i, 0), positions(i, 1));
       const double root = std::sqrt(positions(i, 3));
       for(int j = 0; j < number_of_unknowns; ++j)
         matrix(i, j) = root * m[first + j];
@@ -228,7 +163,7 @@ public:
     const double least = matrix.diagonal().head(number_of_unknowns).cwiseAbs().minCoeff();
     if(!(least > 0.))
       return 0.;
-    m_coefficients.setZero();
+    m_coefficients.fill(0.);
     for(int k = number_of_unknowns - 1; k >= 0; --k)
     {
       double rest = matrix(k, number_of_unknowns);
@@ -246,7 +181,7 @@ public:
   // f(x,y)
   double operator()(const double x, const double y) const
   {
-    const Monomials m = monomials(x, y);
+    const std::array<double, size> m = monomials(x, y);
     double sum = 0.;
     for(int i = 0; i < size; ++i)
       sum += m_coefficients[i] * m[i];
@@ -267,29 +202,20 @@ public:
   }
 
 private:
-  typedef std::array<Values<size>, size> Matrix;      // the upper triangle
+  typedef Eigen::Array2d Pair;
+  // The upper triangle, in pairs of columns. What is left of the diagonal, or beyond an odd number, is not read.
+  static constexpr int number_of_pairs = (size + 1) / 2;
+  typedef std::array<std::array<Pair, number_of_pairs>, size> Matrix;
 
-  // calls `visit` with the integers from First to Last - 1 as types
-  template <int First, int Last, typename Visit>
-  static void for_each(const Visit& visit)
-  {
-    if constexpr(First < Last)
-    {
-      visit(std::integral_constant<int, First>());
-      for_each<First + 1, Last>(visit);
-    }
-  }
+  static double entry(const Matrix& a, const int i, const int j) { return a[i][j / 2][j % 2]; }
 
   template <int Row, int Column>
   double matrix_entry() const
   {
-    constexpr auto e = table.matrix[Row][Column];
-    double sum = m_moments[e.position] + e.combined_factor * m_combined_moments[e.position];
-    if constexpr(e.factor_x != 0.)
-      sum += e.factor_x * m_slope_moments[e.slope_x];
-    if constexpr(e.factor_y != 0.)
-      sum += e.factor_y * m_slope_moments[e.slope_y];
-    return sum;
+    if constexpr(Column < Row || Column >= size)
+      return 0.;
+    else
+      return m_moments.template matrix_entry<Row, Column>() + (Row == Column ? m_ridge[Row] : 0.);
   }
 
   // Householder's reflections on all columns but the last. Eigen's class for them works in blocks, which take longer to
@@ -309,51 +235,12 @@ private:
     }
   }
 
-  static Monomials monomials(const double x, const double y)
+  static std::array<double, size> monomials(const double x, const double y)
   {
-    Monomials m;
+    std::array<double, size> m;
     m[0] = 1.;
-    m[Monomials::SizeAtCompileTime - 1] = 0.;
-    add_monomials<1>(x, y, m);
+    find_monomials(x, y, m);
     return m;
-  }
-
-  // each order from the one below, in steps that are known to the compiler
-  template <int Order>
-  static void add_monomials(const double x, const double y, Monomials& m)
-  {
-    if constexpr(Order <= 2 * Degree)
-    {
-      constexpr int lower = monomial(Order - 1, 0), first = monomial(Order, 0);
-      m.template segment<Order>(first) = x * m.template segment<Order>(lower);
-      m[first + Order] = y * m[first - 1];
-      add_monomials<Order + 1>(x, y, m);
-    }
-  }
-
-  template <typename Sums>
-  static void add(const double weight, const Monomials& m, Sums& sums)
-  {
-    sums += weight * m.template head<Sums::SizeAtCompileTime>();
-  }
-
-  void add_positions(const Monomials& m, const double z, const double weight)
-  {
-    add(weight, m, m_moments);
-    add(weight * z, m, m_z);
-  }
-
-  void add_slopes(const Monomials& m, const double p, const double q, const double weight)
-  {
-    add(weight, m, m_slope_moments);
-    add(weight * p, m, m_p);
-    add(weight * q, m, m_q);
-  }
-
-  void add_combined(const Monomials& m, const double rhs, const double weight)
-  {
-    add(weight, m, m_combined_moments);
-    add(weight * rhs, m, m_combined_z);
   }
 };
 

@@ -12,7 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Model_choices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/Saturation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/interpolation_weights.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Interpolation_weights.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/node_normals.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
@@ -98,6 +98,7 @@ class Reference_surface
   Indexed_triangles m_triangles;
   Cut_mesh m_cut_mesh;
   std::vector<Node> m_nodes;
+  Interpolation_weights m_weights;
   Model_options m_options;
   std::vector<Local_quadric> m_quadrics;              // of the faces, if they are solved at centroids
 
@@ -112,7 +113,8 @@ public:
                     const std::vector<Vector>& vertex_normals = std::vector<Vector>(),
                     const Progress& progress = Progress())
     : m_triangles(std::move(triangles)), m_cut_mesh(std::move(cut_mesh)),
-      m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)), m_options(options)
+      m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)),
+      m_weights(m_cut_mesh, m_nodes, m_triangles.number_of_faces(), progress.part(0., 0.)), m_options(options)
   {
     estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, options.is_parallel, progress,
                           m_nodes);
@@ -152,6 +154,13 @@ public:
     return blended_normal(location, sum_of_normals(location));
   }
 
+  // calls `visit(node, weight)` for the nodes that influence a point
+  template <typename Visit>
+  void visit_weights(const Location& location, const Visit& visit) const
+  {
+    m_weights.for_each(m_cut_mesh, m_nodes, location, visit);
+  }
+
   Local_quadric evaluate(const Location& location) const
   {
     Local_quadric result = evaluate_unbounded(location);
@@ -176,7 +185,10 @@ private:
     const double u = last > first ? (std::max)(0., (std::min)(1., (x - first) / (last - first))) : 1.;
     return u * u * (3. - 2. * u);
   }
-  static double trust(const double cosine) { return fade(cosine, least_cosine, trusted_cosine); }
+  static double trust(const double cosine)
+  {
+    return cosine >= trusted_cosine ? 1. : fade(cosine, least_cosine, trusted_cosine);
+  }
 
   Vector sum_of_normals(const Location& location) const
   {
@@ -270,20 +282,17 @@ private:
 template <int Degree>
 void Reference_surface::fit(const Location& location, const Blended& blended, Local_quadric& result) const
 {
-  Node_weights weights;
-  collect_node_weights(m_cut_mesh, m_nodes, location, weights);
-
   const double t = m_options.hermite_weight;
   const double inverse_size = 1. / result.size;
   Local_polynomial<Degree> polynomial;
   double total_weight = 0.;
-  for(const Node_weight& w : weights)
+  visit_weights(location, [&](const int i, const double weight)
   {
-    const Node& node = m_nodes[w.node];
+    const Node& node = m_nodes[i];
     const Vector d = inverse_size * (node.position - result.origin);
     const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), z = d.dot(result.z_axis);
     const double nz = node.normal.dot(result.z_axis);
-    double omega = interpolating_weight(w.weight, m_options.exponent);
+    double omega = interpolating_weight(weight, m_options.exponent);
     if(blended.apex_share > 0. && node.has_normal())
       omega *= 1. - blended.apex_share * (1. - agreement(nz));
     total_weight += (std::min)(1., omega);
@@ -299,7 +308,7 @@ void Reference_surface::fit(const Location& location, const Blended& blended, Lo
     }
     else
       polynomial.add_position(x, y, z, (1. - t) * omega);
-  }
+  });
   // the ridge is relative to the weight of the data, which changes continuously with the query
   polynomial.add_ridge(2, ridge * total_weight);
   for(int order = 3; order <= Degree; ++order)

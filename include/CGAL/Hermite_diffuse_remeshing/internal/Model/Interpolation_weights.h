@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INTERPOLATION_WEIGHTS_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INTERPOLATION_WEIGHTS_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// w_i of the paper's figure 5: the shape functions of the face applied to 1 at a corner and 1/2 at the nodes that share an
+// edge with it. w_i is in [0,1], and 1 at node i only. Which nodes have a weight on a face, and from which of its corners,
+// is found once for all queries.
+class Interpolation_weights
+{
+  // A node of a face of valences 6 is one of 12. Around a vertex with very many faces every one of them would have all the
+  // others' nodes: those of a face with more are found again for each query.
+  static constexpr std::size_t largest_number = 64;
+  // a node that is no corner
+  static constexpr int no_corner = 3;
+
+  struct Influence
+  {
+    int node;
+    unsigned char corner;               // that is the node
+    unsigned char neighbors;            // a bit for each of the corners that share an edge with the node
+  };
+  typedef boost::container::small_vector<Influence, largest_number> Influences;
+
+  // packed: of each face, by the number of the node
+  std::vector<int> m_nodes;
+  std::vector<unsigned char> m_corners;           // with the bits of the neighbours before
+  std::vector<std::size_t> m_first;
+
+public:
+  Interpolation_weights(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int number_of_faces,
+                        const Progress& progress)
+    : m_first(1, 0)
+  {
+    constexpr std::size_t usual_number = 12;
+    m_nodes.reserve(usual_number * number_of_faces);
+    m_corners.reserve(usual_number * number_of_faces);
+    m_first.reserve(number_of_faces + 1);
+    Influences influences;
+    for(int f = 0; f < number_of_faces; ++f, progress(0.))
+    {
+      collect(cut_mesh, nodes, f, influences);
+      if(influences.size() <= largest_number)
+        for(const Influence& influence : influences)
+        {
+          m_nodes.push_back(influence.node);
+          m_corners.push_back(packed(influence));
+        }
+      m_first.push_back(m_nodes.size());
+    }
+  }
+
+  // Calls `visit(node, weight)` for the nodes with a weight, in the order of their numbers, not of the face: both faces of
+  // an edge then add up the same numbers in the same order, and what is evaluated on the edge is equal to the last bit.
+  template <typename Visit>
+  void for_each(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const Location& location,
+                const Visit& visit) const
+  {
+    const std::array<double, 3>& l = location.coordinates;
+    const double of_corner[] = {l[0], l[1], l[2], 0.};
+    double of_neighbors[8];
+    for(int bits = 0; bits < 8; ++bits)
+      of_neighbors[bits] = ((bits & 1 ? l[0] : 0.) + (bits & 2 ? l[1] : 0.) + (bits & 4 ? l[2] : 0.)) / 2.;
+    const auto visit_one = [&](const int node, const unsigned char corners)
+    {
+      const double weight = of_corner[corners & 3] + of_neighbors[corners >> 2];
+      if(weight > 0.)
+        visit(node, weight);
+    };
+    if(m_first[location.face + 1] > m_first[location.face])
+    {
+      for(std::size_t i = m_first[location.face]; i < m_first[location.face + 1]; ++i)
+        visit_one(m_nodes[i], m_corners[i]);
+      return;
+    }
+    Influences influences;
+    collect(cut_mesh, nodes, location.face, influences);
+    for(const Influence& influence : influences)
+      visit_one(influence.node, packed(influence));
+  }
+
+private:
+  static unsigned char packed(const Influence& influence)
+  {
+    return static_cast<unsigned char>(influence.neighbors << 2 | influence.corner);
+  }
+
+  static void collect(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int face, Influences& result)
+  {
+    result.clear();
+    for(int k = 0; k < 3; ++k)
+      result.push_back({cut_mesh.node(face, k), static_cast<unsigned char>(k), 0});
+    for(int k = 0; k < 3; ++k)
+      if(!nodes[cut_mesh.node(face, k)].is_singular)
+        for(const int j : cut_mesh.ring(cut_mesh.node(face, k)))
+        {
+          auto found = std::find_if(result.begin(), result.end(), [j](const Influence& i) { return i.node == j; });
+          if(found == result.end())
+            found = result.insert(found, {j, no_corner, 0});
+          found->neighbors |= 1 << k;
+        }
+    std::sort(result.begin(), result.end(), [](const Influence& a, const Influence& b) { return a.node < b.node; });
+  }
+};
+
+// omega = (w/(1-w))^exponent, bounded: makes a fit interpolate the node where w is 1. Exponent 1 is
+// the paper's and leaves a small cone point at every node; exponent 2 removes it.
+inline double interpolating_weight(const double w, const int exponent)
+{
+  // a ratio of 4e8, or 1e8, between a node and its ring, which closes the gap to 1e-9 of an edge and turns
+  // the normal by less than 1e-8 while the normal equations stay well conditioned
+  constexpr double least_complement_squared = 5e-5, least_complement = 1e-8;
+  if(exponent == 1)
+    return w / (std::max)(1. - w, least_complement);
+  const double ratio = w / (std::max)(1. - w, least_complement_squared);
+  return ratio * ratio;
+}
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INTERPOLATION_WEIGHTS_H
