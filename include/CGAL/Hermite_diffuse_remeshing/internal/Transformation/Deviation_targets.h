@@ -126,6 +126,47 @@ private:
   template <typename IsRemeshed>
   void find_parts(const IsRemeshed& is_remeshed, const Progress& progress)
   {
+    std::vector<double> expected(m_parts.size(), 0.), heights(m_parts.size(), 0.);
+    for_each_index(triangles().number_of_faces(), is_parallel(), [&]
+    { return [&](const int f) { expected[f] = is_remeshed(f) ? height_of_sides(f) : 0.; }; }, progress);
+    const auto measure_between = [&](const double least, const double end)
+    {
+      measure_heights([&](const int f)
+      {
+        return is_remeshed(f) && ((least <= expected[f] && expected[f] < end) || is_at_feature_or_apex(f));
+      }, progress, heights);
+      note_model_distances(heights);
+    };
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    if(std::isfinite(m_bound))
+      measure_between(0., infinity);
+    else
+    {
+      // Nothing but the largest height is asked for. What is expected is a third of it at least, on all meshes that were
+      // looked at.
+      constexpr double part_of_largest = 0.25;
+      const double least = part_of_largest * *std::max_element(expected.begin(), expected.end());
+      measure_between(least, infinity);
+      if(part_of_largest * m_model_distance < least)
+        measure_between(part_of_largest * m_model_distance, least);
+    }
+    for(int f = 0; f < triangles().number_of_faces(); ++f)
+      if(is_remeshed(f))
+        m_parts[f] = count_parts(f, (std::max)(heights[f], expected[f]));
+  }
+
+  bool is_at_feature_or_apex(const int f) const
+  {
+    bool result = false;
+    for(int k = 0; k < 3; ++k)
+      result = result || m_reference.surface.cut_mesh().neighbor(f, k) == -1 || !m_reference.surface.node(f, k).has_normal();
+    return result;
+  }
+
+  // of the model over the faces that are asked for
+  template <typename IsAskedFor>
+  void measure_heights(const IsAskedFor& is_asked_for, const Progress& progress, std::vector<double>& heights) const
+  {
     const Cut_mesh& cut_mesh = m_reference.surface.cut_mesh();
     // of the model, by the edge: the same for both faces of an edge that is no feature
     std::vector<Vector> middles(m_reference.edges.number_of_edges());
@@ -133,26 +174,22 @@ private:
     {
       return [&](const int f)
       {
-        for(int k = 0; k < 3 && is_remeshed(f); ++k)
+        for(int k = 0; k < 3 && is_asked_for(f); ++k)
         {
           const int g = cut_mesh.neighbor(f, k);
-          if(g != -1 && (f < g || !is_remeshed(g)))
+          if(g != -1 && (f < g || !is_asked_for(g)))
             middles[m_reference.edges.edge(f, k)] = m_reference.surface_point(middle_of_side(f, k));
         }
       };
     }, progress);
-    std::vector<double> heights(m_parts.size(), 0.);
     for_each_index(triangles().number_of_faces(), is_parallel(), [&]
     {
       return [&](const int f)
       {
-        if(!is_remeshed(f))
-          return;
-        heights[f] = height_of_model(f, middles);
-        m_parts[f] = count_parts(f, (std::max)(heights[f], height_of_sides(f)));
+        if(is_asked_for(f))
+          heights[f] = height_of_model(f, middles);
       };
     }, progress);
-    note_model_distances(heights);
   }
 
   // Where m faces lie over one of the reference, they deviate by 1/m of the height of the model, and with n parts of
