@@ -41,6 +41,7 @@ class Local_polynomial
 {
 public:
   static constexpr int size = number_of_monomials(Degree);
+  typedef typename Polynomial_moments<Degree>::Pair Pair;
 
 private:
   Polynomial_moments<Degree> m_moments;
@@ -65,6 +66,13 @@ public:
                                const double combined_weight)
   {
     m_moments.add(x, y, z, weight, p, q, slope_weight, combined_weight);
+  }
+
+  // same for two data at once
+  void add_two(const Pair& x, const Pair& y, const Pair& z, const Pair& weight,
+               const Pair& p, const Pair& q, const Pair& slope_weight, const Pair& combined_weight)
+  {
+    m_moments.add_two(x, y, z, weight, p, q, slope_weight, combined_weight);
   }
 
   // Adds `ridge` times the square of one coefficient.
@@ -202,7 +210,6 @@ public:
   }
 
 private:
-  typedef Eigen::Array2d Pair;
   // The upper triangle, in pairs of columns. What is left of the diagonal, or beyond an odd number, is not read.
   static constexpr int number_of_pairs = (size + 1) / 2;
   typedef std::array<std::array<Pair, number_of_pairs>, size> Matrix;

@@ -44,14 +44,16 @@ constexpr int order_of(const int monomial)
   return order;
 }
 
-// m[0] is set already; of a number, or of two at once
+// m[0] is set already; of a number, or of two at once. Each order is made of the one below.
 template <typename Number, std::size_t Size>
 inline void find_monomials(const Number& x, const Number& y, std::array<Number, Size>& m)
 {
-  for_each_constant<1, static_cast<int>(Size)>([&](const auto index)
+  for_each_constant<1, order_of(static_cast<int>(Size))>([&](const auto index)
   {
-    constexpr int i = decltype(index)::value, order = order_of(i), j = i - monomial(order, 0);
-    m[i] = j < order ? x * m[monomial(order - 1, j)] : y * m[monomial(order - 1, j - 1)];
+    constexpr int order = decltype(index)::value, lower = monomial(order - 1, 0), first = monomial(order, 0);
+    for(int j = 0; j < order; ++j)
+      m[first + j] = x * m[lower + j];
+    m[first + order] = y * m[first - 1];
   });
 }
 
@@ -105,7 +107,7 @@ template <int Degree>
 class Polynomial_moments
 {
 public:
-  static constexpr int size = number_of_monomials(Degree);
+  typedef Eigen::Array2d Pair;
 
 private:
   static constexpr Moment_table<Degree> table = Moment_table<Degree>();
@@ -114,11 +116,11 @@ private:
   // moments of the positions and of the combined equations can be added up together.
   static constexpr int order_of_slopes = 2 * Degree - 2;
 
-  typedef Eigen::Array2d Pair;
   template <int Order>
   using Moments = std::array<Pair, number_of_monomials(Order)>;
 
   struct Datum { double x, y, z, weight, p, q, slope_weight, combined_weight; };
+  struct Pair_of_data { const Pair &x, &y, &z, &weight, &p, &q, &slope_weight, &combined_weight; };
 
   // set by the first pair
   Moments<2 * Degree> m_positions;
@@ -146,6 +148,17 @@ public:
     datum.combined_weight = combined_weight;
     if(++m_number_waiting == 2)
       add_waiting();
+  }
+
+  void add_two(const Pair& x, const Pair& y, const Pair& z, const Pair& weight,
+               const Pair& p, const Pair& q, const Pair& slope_weight, const Pair& combined_weight)
+  {
+    const Pair_of_data data = {x, y, z, weight, p, q, slope_weight, combined_weight};
+    if(m_is_empty)
+      enter(data, [](Pair& sum, const Pair& term) { sum = term; });
+    else
+      enter(data, [](Pair& sum, const Pair& term) { sum += term; });
+    m_is_empty = false;
   }
 
   // after the last datum
@@ -188,19 +201,18 @@ private:
   {
     for(; m_number_waiting < 2; ++m_number_waiting)
       m_waiting[m_number_waiting] = Datum();
-    if(m_is_empty)
-      enter(m_waiting[0], m_waiting[1], [](Pair& sum, const Pair& term) { sum = term; });
-    else
-      enter(m_waiting[0], m_waiting[1], [](Pair& sum, const Pair& term) { sum += term; });
-    m_is_empty = false;
+    const Datum& a = m_waiting[0];
+    const Datum& b = m_waiting[1];
+    add_two(Pair(a.x, b.x), Pair(a.y, b.y), Pair(a.z, b.z), Pair(a.weight, b.weight), Pair(a.p, b.p), Pair(a.q, b.q),
+            Pair(a.slope_weight, b.slope_weight), Pair(a.combined_weight, b.combined_weight));
     m_number_waiting = 0;
   }
 
   // `add(sum, term)`
   template <typename Add>
-  void enter(const Datum& a, const Datum& b, const Add& add)
+  void enter(const Pair_of_data& data, const Add& add)
   {
-    const Pair x(a.x, b.x), y(a.y, b.y), z(a.z, b.z), weight(a.weight, b.weight);
+    const auto& [x, y, z, weight, p, q, slope_weight, combined_weight] = data;
     Moments<2 * Degree> m;
     m[0] = Pair::Ones();
     find_monomials(x, y, m);
@@ -209,14 +221,12 @@ private:
       for(std::size_t i = 0; i < sums.size(); ++i)
         add(sums[i], w * m[i]);
     };
-    if(!m_is_empty && !(a.slope_weight > 0. || b.slope_weight > 0.))
+    if(!m_is_empty && !(slope_weight > 0.).any())
     {
       add_all(weight, m_positions);
       add_all(weight * z, m_z);
       return;
     }
-    const Pair p(a.p, b.p), q(a.q, b.q), slope_weight(a.slope_weight, b.slope_weight);
-    const Pair combined_weight(a.combined_weight, b.combined_weight);
     const Pair weighted_z = weight * z;
     const Pair weighted_combined_z = combined_weight * (double(combined_order) * z - x * p - y * q);
     for_each_constant<0, 2 * Degree + 1>([&](const auto order)

@@ -282,33 +282,63 @@ private:
 template <int Degree>
 void Reference_surface::fit(const Location& location, const Blended& blended, Local_quadric& result) const
 {
+  typedef typename Local_polynomial<Degree>::Pair Pair;
   const double t = m_options.hermite_weight;
   const double inverse_size = 1. / result.size;
   Local_polynomial<Degree> polynomial;
   double total_weight = 0.;
+  const auto weight_of_node = [&](const Node& node, const double weight)
+  {
+    double omega = interpolating_weight(weight, m_options.exponent);
+    if(blended.apex_share > 0. && node.has_normal())
+      omega *= 1. - blended.apex_share * (1. - agreement(node.normal.dot(result.z_axis)));
+    total_weight += (std::min)(1., omega);
+    return omega;
+  };
+  const auto add_two_nodes = [&](const Node& a, const Node& b, const double weight_of_a, const double weight_of_b)
+  {
+    // in steps, which compilers inline in larger programs, too
+    const auto along = [](const std::array<Pair, 3>& v, const Vector& axis)
+    {
+      Pair sum = axis[0] * v[0];
+      sum += axis[1] * v[1];
+      sum += axis[2] * v[2];
+      return sum;
+    };
+    std::array<Pair, 3> d, n;
+    for(int i = 0; i < 3; ++i)
+    {
+      d[i] = inverse_size * (Pair(a.position[i], b.position[i]) - result.origin[i]);
+      n[i] = Pair(a.normal[i], b.normal[i]);
+    }
+    const Pair x = along(d, result.x_axis), y = along(d, result.y_axis), z = along(d, result.z_axis);
+    const Pair omega(weight_of_node(a, weight_of_a), weight_of_node(b, weight_of_b));
+    const Pair nz = along(n, result.z_axis);
+    const Pair trusted = omega * Pair(trust(nz[0]), trust(nz[1]));
+    const Pair minus_inverse_nz = -1. / nz.max(least_cosine);
+    // The combined equation multiplies errors of slopes by the distance, those of positions by the
+    // order: on stretched faces, where some nodes are several sizes away, its weight must fall.
+    const Pair r2 = x * x + y * y;
+    polynomial.add_two(x, y, z, (1. - t) * omega, along(n, result.x_axis) * minus_inverse_nz,
+                       along(n, result.y_axis) * minus_inverse_nz, t * trusted,
+                       blended.combined_weight * trusted / (1. + r2 * r2));
+  };
+  const Node* waiting = nullptr;        // for a second one
+  double weight_of_waiting = 0.;
   visit_weights(location, [&](const int i, const double weight)
   {
     const Node& node = m_nodes[i];
-    const Vector d = inverse_size * (node.position - result.origin);
-    const double x = d.dot(result.x_axis), y = d.dot(result.y_axis), z = d.dot(result.z_axis);
-    const double nz = node.normal.dot(result.z_axis);
-    double omega = interpolating_weight(weight, m_options.exponent);
-    if(blended.apex_share > 0. && node.has_normal())
-      omega *= 1. - blended.apex_share * (1. - agreement(nz));
-    total_weight += (std::min)(1., omega);
-    // The combined equation multiplies errors of slopes by the distance, those of positions by the
-    // order: on stretched faces, where some nodes are several sizes away, its weight must fall.
-    const double r2 = x * x + y * y;
-    if(nz > least_cosine)
+    if(waiting == nullptr)
     {
-      const double inverse_nz = 1. / nz, trusted = omega * trust(nz);
-      polynomial.add_position_and_slopes(x, y, z, (1. - t) * omega, -node.normal.dot(result.x_axis) * inverse_nz,
-                                         -node.normal.dot(result.y_axis) * inverse_nz, t * trusted,
-                                         blended.combined_weight * trusted / (1. + r2 * r2));
+      waiting = &node;
+      weight_of_waiting = weight;
+      return;
     }
-    else
-      polynomial.add_position(x, y, z, (1. - t) * omega);
+    add_two_nodes(*waiting, node, weight_of_waiting, weight);
+    waiting = nullptr;
   });
+  if(waiting != nullptr)
+    add_two_nodes(*waiting, *waiting, weight_of_waiting, 0.);
   // the ridge is relative to the weight of the data, which changes continuously with the query
   polynomial.add_ridge(2, ridge * total_weight);
   for(int order = 3; order <= Degree; ++order)

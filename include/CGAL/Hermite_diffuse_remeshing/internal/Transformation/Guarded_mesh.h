@@ -65,7 +65,7 @@ private:
   // A search looks farther than asked for, as many times as far, so that its ball serves the neighbours too.
   static constexpr double reach_of_search = 5.;
   // It gets there in steps, for in most places a face that turns from the others ends it before.
-  static constexpr double growth_of_reach = 1.5;
+  static constexpr double growth_of_reach = 1.2;
   // Where no ball can be as many times as large as asked for, it takes less time to test the faces near by than to find it.
   static constexpr double least_useful_ball = 2.;
   // Sheets move a little when they are remeshed, by the sagitta of their triangles: a ball is as many times smaller
