@@ -26,7 +26,7 @@ inline void visit_constants(const Visit& visit, std::integer_sequence<int, Index
   (visit(std::integral_constant<int, First + Index>()), ...);
 }
 
-// calls `visit` with the integers from First to Last - 1 as types, so that the compiler unrolls the loop
+// calls `visit` with the integers from First to Last - 1 as types, which leaves no loop and no recursion to be inlined
 template <int First, int Last, typename Visit>
 inline void for_each_constant(const Visit& visit)
 {
@@ -85,7 +85,6 @@ struct Moment_table
         rhs[row].slope_y = j > 0 ? monomial(o - 1, j - 1) : 0;
         rhs[row].factor_x = o - j;
         rhs[row].factor_y = j;
-        rhs[row].combined_factor = combined_order - o;
         for(int p = 0; p <= Degree; ++p)
           for(int k = 0; k <= p; ++k)
           {
