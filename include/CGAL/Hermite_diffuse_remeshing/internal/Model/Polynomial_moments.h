@@ -119,7 +119,6 @@ private:
   using Moments = std::array<Pair, number_of_monomials(Order)>;
 
   struct Datum { double x, y, z, weight, p, q, slope_weight, combined_weight; };
-  struct Pair_of_data { const Pair &x, &y, &z, &weight, &p, &q, &slope_weight, &combined_weight; };
 
   // set by the first pair
   Moments<2 * Degree> m_positions;
@@ -152,11 +151,12 @@ public:
   void add_two(const Pair& x, const Pair& y, const Pair& z, const Pair& weight,
                const Pair& p, const Pair& q, const Pair& slope_weight, const Pair& combined_weight)
   {
-    const Pair_of_data data = {x, y, z, weight, p, q, slope_weight, combined_weight};
+    const auto enter = [&](const auto& add)
+    { add_two(x, y, z, weight, p, q, slope_weight, combined_weight, add); };
     if(m_is_empty)
-      enter(data, [](Pair& sum, const Pair& term) { sum = term; });
+      enter([](Pair& sum, const Pair& term) { sum = term; });
     else
-      enter(data, [](Pair& sum, const Pair& term) { sum += term; });
+      enter([](Pair& sum, const Pair& term) { sum += term; });
     m_is_empty = false;
   }
 
@@ -209,9 +209,9 @@ private:
 
   // `add(sum, term)`
   template <typename Add>
-  void enter(const Pair_of_data& data, const Add& add)
+  void add_two(const Pair& x, const Pair& y, const Pair& z, const Pair& weight, const Pair& p, const Pair& q,
+               const Pair& slope_weight, const Pair& combined_weight, const Add& add)
   {
-    const auto& [x, y, z, weight, p, q, slope_weight, combined_weight] = data;
     Moments<2 * Degree> m;
     m[0] = Pair::Ones();
     find_monomials(x, y, m);
