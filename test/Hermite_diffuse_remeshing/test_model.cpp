@@ -255,6 +255,24 @@ void test_continuity()
   assert(ok);
 }
 
+// A model without the weights that are found beforehand is the same.
+void test_saved_memory()
+{
+  const auto model = make_model(indexed(analytic::torus().mesh(2000, 1)));
+  std::vector<Vector> points;
+  for(const bool is_saved : {false, true})
+  {
+    if(is_saved)
+      model->surface.save_memory();
+    for(int f = 0; f < model->surface.triangles().number_of_faces(); ++f)
+    {
+      const Vector p = model->surface.evaluate({f, {{0.5, 0.2, 0.3}}}).point();
+      assert(!is_saved || p == points[f]);
+      points.push_back(p);
+    }
+  }
+}
+
 // Around a vertex with very many faces each of them has more nodes than are remembered.
 void test_weights_at_many_faces()
 {
@@ -747,6 +765,7 @@ int main()
   test_maximum_displacement();
   test_interpolation();
   test_continuity();
+  test_saved_memory();
   test_weights_at_many_faces();
   test_invariance();
   test_symmetric_meshes();

@@ -51,13 +51,14 @@ struct Input_surface
     , surface(make_surface(triangles, features, options, is_vertex_constrained, vertex_normals, progress))
   {}
 
-  // gives up what only a remeshing needs, a third of the memory
+  // gives up what only a remeshing needs, or makes it fast: half of the memory
   void keep_surface_only()
   {
     edges = Edge_table(Indexed_triangles());
     edge_classes = std::vector<Edge_class>();
     vertex_classes = std::vector<Vertex_class>();
     curves = Feature_curves();
+    surface.save_memory();
   }
 
 protected:

@@ -25,7 +25,7 @@ namespace internal {
 
 // w_i of the paper's figure 5: the shape functions of the face applied to 1 at a corner and 1/2 at the nodes that share an
 // edge with it. w_i is in [0,1], and 1 at node i only. Which nodes have a weight on a face, and from which of its corners,
-// is found once for all queries.
+// is found once for all queries, or again for each.
 class Interpolation_weights
 {
   // A node of a face of valences 6 is one of 12. Around a vertex with very many faces every one of them would have all the
@@ -52,9 +52,9 @@ public:
                         const Progress& progress)
     : m_first(1, 0)
   {
-    constexpr std::size_t usual_number = 12;
-    m_nodes.reserve(usual_number * number_of_faces);
-    m_corners.reserve(usual_number * number_of_faces);
+    const std::size_t most = largest_total(cut_mesh, number_of_faces);
+    m_nodes.reserve(most);
+    m_corners.reserve(most);
     m_first.reserve(number_of_faces + 1);
     Influences influences;
     for(int f = 0; f < number_of_faces; ++f, progress(0.))
@@ -68,6 +68,14 @@ public:
         }
       m_first.push_back(m_nodes.size());
     }
+  }
+
+  // takes no memory any more, for longer queries
+  void forget()
+  {
+    m_nodes = std::vector<int>();
+    m_corners = std::vector<unsigned char>();
+    m_first = std::vector<std::size_t>();
   }
 
   // Calls `visit(node, weight)` for the nodes with a weight, in the order of their numbers, not of the face: both faces of
@@ -87,7 +95,7 @@ public:
       if(weight > 0.)
         visit(node, weight);
     };
-    if(m_first[location.face + 1] > m_first[location.face])
+    if(!m_first.empty() && m_first[location.face + 1] > m_first[location.face])
     {
       for(std::size_t i = m_first[location.face]; i < m_first[location.face + 1]; ++i)
         visit_one(m_nodes[i], m_corners[i]);
@@ -100,6 +108,20 @@ public:
   }
 
 private:
+  // each side of a face joins two of its corners
+  static std::size_t largest_total(const Cut_mesh& cut_mesh, const int number_of_faces)
+  {
+    std::size_t result = 0;
+    for(int f = 0; f < number_of_faces; ++f)
+    {
+      std::size_t number = 0;
+      for(const int node : cut_mesh.nodes(f))
+        number += cut_mesh.ring(node).size() - 1;
+      result += (std::min)(number, largest_number);
+    }
+    return result;
+  }
+
   static unsigned char packed(const Influence& influence)
   {
     return static_cast<unsigned char>(influence.neighbors << 2 | influence.corner);

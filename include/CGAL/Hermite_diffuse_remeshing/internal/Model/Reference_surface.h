@@ -154,6 +154,9 @@ public:
     return blended_normal(location, sum_of_normals(location));
   }
 
+  // for the price of longer evaluations
+  void save_memory() { m_weights.forget(); }
+
   // calls `visit(node, weight)` for the nodes that influence a point
   template <typename Visit>
   void visit_weights(const Location& location, const Visit& visit) const
@@ -312,7 +315,9 @@ void Reference_surface::fit(const Location& location, const Blended& blended, Lo
       n[i] = Pair(a.normal[i], b.normal[i]);
     }
     const Pair x = along(d, result.x_axis), y = along(d, result.y_axis), z = along(d, result.z_axis);
-    const Pair omega(weight_of_node(a, weight_of_a), weight_of_node(b, weight_of_b));
+    // one after the other: compilers differ in the order in which they evaluate arguments
+    const double omega_of_a = weight_of_node(a, weight_of_a), omega_of_b = weight_of_node(b, weight_of_b);
+    const Pair omega(omega_of_a, omega_of_b);
     const Pair nz = along(n, result.z_axis);
     const Pair trusted = omega * Pair(trust(nz[0]), trust(nz[1]));
     const Pair minus_inverse_nz = -1. / nz.max(least_cosine);
