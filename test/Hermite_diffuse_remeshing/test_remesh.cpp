@@ -532,6 +532,7 @@ void test_maximum_displacement(const Surface_mesh& input)
   const auto sizes = params::approximation_error(0.05).gradation(2.);
   Surface_mesh free = input;
   const auto without = PMP::hermite_diffuse_remesh(free, sizes);
+  // Without a bound of the deviation the largest distance of the model is not looked for everywhere.
   Surface_mesh free_and_measured = input;
   assert(PMP::hermite_diffuse_remesh(free_and_measured, sizes.maximum_deviation(length)).distance_of_model_from_input
          == without.distance_of_model_from_input);
@@ -541,7 +542,6 @@ void test_maximum_displacement(const Surface_mesh& input)
     const auto report = PMP::hermite_diffuse_remesh(bounded, sizes.maximum_displacement(bound));
     std::cout << "  " << report.number_of_faces << " faces instead of " << without.number_of_faces << std::endl;
     assert(std::abs(double(report.number_of_faces) / double(without.number_of_faces) - 1.) < 0.1);
-    // Without a bound of the deviation it is not looked for everywhere.
     Surface_mesh measured = input;
     assert(PMP::hermite_diffuse_remesh(measured, sizes.maximum_displacement(bound).maximum_deviation(length))
              .distance_of_model_from_input == report.distance_of_model_from_input);

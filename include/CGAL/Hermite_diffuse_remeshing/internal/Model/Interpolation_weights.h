@@ -32,19 +32,19 @@ class Interpolation_weights
   // others' nodes: those of a face with more are found again for each query.
   static constexpr std::size_t largest_number = 64;
   // a node that is no corner
-  static constexpr int no_corner = 3;
+  static constexpr unsigned char no_corner = 3;
 
   struct Influence
   {
     int node;
-    unsigned char corner;               // that is the node
-    unsigned char neighbors;            // a bit for each of the corners that share an edge with the node
+    // the corner that is the node, and a bit, from 4 on, for each of those that share an edge with it
+    unsigned char corners;
   };
   typedef boost::container::small_vector<Influence, largest_number> Influences;
 
   // packed: of each face, by the number of the node
   std::vector<int> m_nodes;
-  std::vector<unsigned char> m_corners;           // with the bits of the neighbours before
+  std::vector<unsigned char> m_corners;
   std::vector<std::size_t> m_first;
 
 public:
@@ -64,7 +64,7 @@ public:
         for(const Influence& influence : influences)
         {
           m_nodes.push_back(influence.node);
-          m_corners.push_back(packed(influence));
+          m_corners.push_back(influence.corners);
         }
       m_first.push_back(m_nodes.size());
     }
@@ -104,7 +104,7 @@ public:
     Influences influences;
     collect(cut_mesh, nodes, location.face, influences);
     for(const Influence& influence : influences)
-      visit_one(influence.node, packed(influence));
+      visit_one(influence.node, influence.corners);
   }
 
 private:
@@ -122,24 +122,19 @@ private:
     return result;
   }
 
-  static unsigned char packed(const Influence& influence)
-  {
-    return static_cast<unsigned char>(influence.neighbors << 2 | influence.corner);
-  }
-
   static void collect(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int face, Influences& result)
   {
     result.clear();
     for(int k = 0; k < 3; ++k)
-      result.push_back({cut_mesh.node(face, k), static_cast<unsigned char>(k), 0});
+      result.push_back({cut_mesh.node(face, k), static_cast<unsigned char>(k)});
     for(int k = 0; k < 3; ++k)
       if(!nodes[cut_mesh.node(face, k)].is_singular)
         for(const int j : cut_mesh.ring(cut_mesh.node(face, k)))
         {
           auto found = std::find_if(result.begin(), result.end(), [j](const Influence& i) { return i.node == j; });
           if(found == result.end())
-            found = result.insert(found, {j, no_corner, 0});
-          found->neighbors |= 1 << k;
+            found = result.insert(found, {j, no_corner});
+          found->corners |= 4 << k;
         }
     std::sort(result.begin(), result.end(), [](const Influence& a, const Influence& b) { return a.node < b.node; });
   }

@@ -129,15 +129,16 @@ private:
     std::vector<double> expected(m_parts.size(), 0.), heights(m_parts.size(), 0.);
     for_each_index(triangles().number_of_faces(), is_parallel(), [&]
     { return [&](const int f) { expected[f] = is_remeshed(f) ? height_of_sides(f) : 0.; }; }, progress);
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
     const auto measure_between = [&](const double least, const double end)
     {
       measure_heights([&](const int f)
       {
-        return is_remeshed(f) && ((least <= expected[f] && expected[f] < end) || is_at_feature_or_apex(f));
+        return is_remeshed(f) && ((least <= expected[f] && expected[f] < end)
+                                  || (end == infinity && is_at_feature_or_apex(f)));
       }, progress, heights);
       note_model_distances(heights);
     };
-    constexpr double infinity = (std::numeric_limits<double>::infinity)();
     if(std::isfinite(m_bound) || m_reference.surface.saturation().is_bounded())
       measure_between(0., infinity);
     else
@@ -150,9 +151,14 @@ private:
       if(part_of_largest * m_model_distance < least)
         measure_between(part_of_largest * m_model_distance, least);
     }
-    for(int f = 0; f < triangles().number_of_faces(); ++f)
-      if(is_remeshed(f))
-        m_parts[f] = count_parts(f, (std::max)(heights[f], expected[f]));
+    for_each_index(triangles().number_of_faces(), is_parallel(), [&]
+    {
+      return [&](const int f)
+      {
+        if(is_remeshed(f))
+          m_parts[f] = count_parts(f, (std::max)(heights[f], expected[f]));
+      };
+    }, progress);
   }
 
   bool is_at_feature_or_apex(const int f) const
