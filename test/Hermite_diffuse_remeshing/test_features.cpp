@@ -411,6 +411,65 @@ void test_second_run(const std::string& name, const double error, const double g
   assert(changed_part < largest_changed_part);
 }
 
+// 2 sqrt(3) times the radius of the inscribed circle, over the longest side
+double smallest_quality(const Surface_mesh& mesh)
+{
+  double result = 1.;
+  for(const auto f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    const Point_3 p[3] = {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))};
+    double sum = 0., longest = 0.;
+    for(int k = 0; k < 3; ++k)
+    {
+      const double length = std::sqrt(CGAL::squared_distance(p[k], p[(k + 1) % 3]));
+      sum += length;
+      longest = (std::max)(longest, length);
+    }
+    result = (std::min)(result, 4. * std::sqrt(3.) * std::sqrt(CGAL::squared_area(p[0], p[1], p[2])) / (sum * longest));
+  }
+  return result;
+}
+
+// a flat leaf, as long as 1, between two parabolas that leave each other; they meet at its tip at twice `half_angle`
+Surface_mesh leaf(const double half_angle, const double bend)
+{
+  const int n = 40;
+  Surface_mesh mesh;
+  const Vertex_index tip = mesh.add_vertex(Point_3(0, 0, 0));
+  std::vector<Vertex_index> row = {tip, tip, tip};
+  for(int i = 1; i <= n; ++i)
+  {
+    const double x = double(i) / n, y = std::tan(half_angle) * x + bend * x * x;
+    const std::vector<Vertex_index> next = {mesh.add_vertex(Point_3(x, -y, 0)), mesh.add_vertex(Point_3(x, 0, 0)),
+                                            mesh.add_vertex(Point_3(x, y, 0))};
+    for(int k = 0; k < 2; ++k)
+    {
+      mesh.add_face(row[k], next[k], next[k+1]);
+      if(i > 1)
+        mesh.add_face(row[k], next[k+1], row[k+1]);
+    }
+    row = next;
+  }
+  return mesh;
+}
+
+// Where two curves that bend away from each other meet, longer edges make a better triangle: 0.37 is the best between
+// their tangents, and 0.50 to 0.52 are reached when only one of its vertices moves at a time, 0.49 on fandisk.
+void test_sharp_corners()
+{
+  const double half_angle = 7. * analytic::pi / 180., bend = 0.6, least_quality = 0.53;
+  for(const double length : {0.07, 0.1, 0.14})
+  {
+    Surface_mesh mesh = leaf(half_angle, bend);
+    PMP::hermite_diffuse_remesh(mesh, params::minimum_edge_length(length).maximum_edge_length(length));
+    assert(smallest_quality(mesh) > least_quality);
+  }
+  Surface_mesh fandisk = read_data<Surface_mesh>("fandisk.off");
+  PMP::hermite_diffuse_remesh(fandisk, params::approximation_error(0.0121).gradation(1.1));
+  assert(smallest_quality(fandisk) > 0.51);
+}
+
 int main()
 {
   test_fidelity("cube", read_data<Surface_mesh>("cube.off"), 8, 0.02);
@@ -425,6 +484,7 @@ int main()
   test_user_features();
   test_policies();
   test_free_edges();
+  test_sharp_corners();
   test_second_run("anchor_dense.off", 0.0107, 1.1);
   test_second_run("anchor_dense.off", 0.007, 1.3);
   test_second_run("couplingdown.off", 0.3, 1.3);

@@ -11,9 +11,11 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Face_queue.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/collapse_short_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_and_relocate.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/flip_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/remove_vertices.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/slide_from_corner.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_and_flip.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
@@ -21,7 +23,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -43,7 +44,7 @@ class Worst_face_hunt
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
   typedef typename Mesh::face_descriptor face_descriptor;
 
-  enum Kind { NOTHING, FLIP, RELOCATION, COLLAPSE, SPLIT, REMOVAL, FLIP_AND_RELOCATION };
+  enum Kind { NOTHING, FLIP, RELOCATION, COLLAPSE, SPLIT, OPERATION };
 
   // The best operation is free of intersections as a rule; not all are asked for them before there is a need.
   enum Search { BEST_SCORE, BEST_FREE_SCORE, BEST_FREE_QUALITY };
@@ -58,7 +59,7 @@ class Worst_face_hunt
     vertex_descriptor vertex = vertex_descriptor();
     Site site = Site();
     std::variant<Vertex_removal<UserMesh>, Edge_removal<UserMesh>, Curve_vertex_removal<UserMesh>,
-                 Split_and_flip<UserMesh> > removal = {};
+                 Flip_and_relocation<UserMesh>, Split_and_flip<UserMesh>, Slide_from_corner<UserMesh> > operation = {};
   };
 
   Mesh& m_mesh;
@@ -189,6 +190,9 @@ private:
       for(const halfedge_descriptor side : sides)
         if(degree(target(side, tm), tm) <= largest_degree)
           plan_flips_and_relocation(target(side, tm), plan);
+    if(plan.kind == NOTHING)
+      for(const halfedge_descriptor side : sides)
+        plan_slide(side, plan);
     if(plan.kind == NOTHING && is_needle(h))
       for(const halfedge_descriptor side : sides)
         for(const halfedge_descriptor other : {next(side, tm), prev(side, tm)})
@@ -272,13 +276,14 @@ private:
       offer({plan.search, SPLIT, after, h, target(h, tm), site}, plan);
   }
 
-  template <typename Removal, typename Element>
-  void plan_removal(const Element element, const Worth& before, Plan& plan) const
+  // an operation that has a class of its own, at an element or several
+  template <typename Operation, typename... Elements>
+  void plan_operation(Plan& plan, const Worth& before, const Elements&... elements) const
   {
-    Removal removal;
-    const Worth after = removal.plan(m_mesh, element);
+    Operation operation;
+    const Worth after = operation.plan(m_mesh, elements...);
     if(improves(after, before, plan))
-      offer({plan.search, REMOVAL, after, halfedge_descriptor(), vertex_descriptor(), Site(), removal}, plan);
+      offer({plan.search, OPERATION, after, halfedge_descriptor(), vertex_descriptor(), Site(), operation}, plan);
   }
 
   void plan_removals(const halfedge_descriptor h, Plan& plan) const
@@ -286,12 +291,12 @@ private:
     const auto& tm = m_mesh.tmesh();
     const vertex_descriptor v = target(h, tm);
     Worth before = worth_around(m_mesh, v);
-    plan_removal<Vertex_removal<UserMesh> >(v, before, plan);
+    plan_operation<Vertex_removal<UserMesh> >(plan, before, v);
     if(m_mesh.data(v).type == CURVE_VERTEX)
       for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
-        plan_removal<Curve_vertex_removal<UserMesh> >(opposite(g, tm), before, plan);
+        plan_operation<Curve_vertex_removal<UserMesh> >(plan, before, opposite(g, tm));
     before.add(worth_around(m_mesh, source(h, tm)));
-    plan_removal<Edge_removal<UserMesh> >(h, before, plan);
+    plan_operation<Edge_removal<UserMesh> >(plan, before, h);
   }
 
   void plan_split_and_flip(const halfedge_descriptor h, const halfedge_descriptor flipped, Plan& plan) const
@@ -301,7 +306,17 @@ private:
     Worth before = worth_of_pair(m_mesh, flipped);
     for(const halfedge_descriptor side : sides_of_split(m_mesh, h))
       before.add(face_worth(m_mesh, side));
-    plan_removal<Split_and_flip<UserMesh> >(std::make_pair(h, flipped), before, plan);
+    plan_operation<Split_and_flip<UserMesh> >(plan, before, h, flipped);
+  }
+
+  void plan_slide(const halfedge_descriptor h, Plan& plan) const
+  {
+    const auto& tm = m_mesh.tmesh();
+    if(!m_mesh.is_on_curve(next(h, tm)) || !m_mesh.is_on_curve(prev(h, tm)))
+      return;
+    Worth before = worth_around(m_mesh, source(h, tm));
+    before.add(worth_around(m_mesh, target(h, tm)));
+    plan_operation<Slide_from_corner<UserMesh> >(plan, before, h, longest_length);
   }
 
   // an edge at v or opposite to v is flipped, and v moves
@@ -312,46 +327,16 @@ private:
       return;
     const Worth around = worth_around(m_mesh, v);
     for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tm))
-    {
-      const halfedge_descriptor o = opposite(h, tm), side = opposite(prev(h, tm), tm);
-      const Site& s = m_mesh.site(source(h, tm));
-      const Site& t = m_mesh.site(target(next(h, tm), tm));
-      const Site& u = m_mesh.site(target(next(o, tm), tm));
-      if(is_flip_topologically_legal(m_mesh, h))
+      for(const halfedge_descriptor flipped : {h, opposite(prev(h, tm), tm)})
       {
-        Star star(m_mesh.reference(), Star::WORST);
-        for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
-          if(g != h && g != prev(o, tm))
-            star.add_side(m_mesh, prev(g, tm));
-        star.add_side(t, u, m_mesh.hint(h));
-        plan_site(h, v, star, around, worth(m_mesh.reference(), s, u, t, m_mesh.hint(o)), plan);
-      }
-      if(is_flip_topologically_legal(m_mesh, side))
-      {
-        Star star(m_mesh.reference(), Star::WORST);
-        for(const halfedge_descriptor g : CGAL::halfedges_around_target(v, tm))
-          if(g != h)
-            star.add_side(m_mesh, prev(g, tm));
-        star.add_side(m_mesh, next(side, tm));
-        star.add_side(m_mesh, prev(side, tm));
+        if(!is_flip_topologically_legal(m_mesh, flipped))
+          continue;
         Worth before = around;
-        before.add(face_worth(m_mesh, side));
-        plan_site(side, v, star, before, Worth(), plan);
+        if(flipped != h)
+          before.add(face_worth(m_mesh, flipped));
+        const double least = plan.search == BEST_FREE_QUALITY ? -1. : (std::max)(before.score, plan.after.score);
+        plan_operation<Flip_and_relocation<UserMesh> >(plan, before, h, flipped, least);
       }
-    }
-  }
-
-  // `rest` is made by the operation too, away from v
-  void plan_site(const halfedge_descriptor h, const vertex_descriptor v, const Star& star,
-                 const Worth& before, const Worth& rest, Plan& plan) const
-  {
-    if(plan.search != BEST_FREE_QUALITY && rest.score <= (std::max)(before.score, plan.after.score))
-      return;
-    const Site site = star.better_site(m_mesh.site(v));
-    Worth after = star.worth(site);
-    after.add(rest);
-    if(improves(after, before, plan))
-      offer({plan.search, FLIP_AND_RELOCATION, after, h, v, site}, plan);
   }
 
   bool is_free(const Plan& plan) const
@@ -360,11 +345,10 @@ private:
     {
       case NOTHING:              return false;
       case FLIP:                 return is_flip_free(m_mesh, plan.halfedge);
-      case FLIP_AND_RELOCATION:  return is_flip_and_relocation_free(m_mesh, plan.halfedge, plan.vertex, plan.site);
       case RELOCATION:           return is_relocation_free(m_mesh, plan.vertex, plan.site);
       case COLLAPSE:             return is_collapse_free(m_mesh, plan.halfedge, plan.site);
       case SPLIT:                return is_split_free(m_mesh, plan.halfedge, plan.site);
-      case REMOVAL:              return std::visit([&](const auto& r) { return r.is_free(m_mesh); }, plan.removal);
+      case OPERATION:            return std::visit([&](const auto& o) { return o.is_free(m_mesh); }, plan.operation);
     }
     return false;
   }
@@ -380,11 +364,7 @@ private:
       case RELOCATION:           m_mesh.relocate(plan.vertex, plan.site); break;
       case COLLAPSE:             m_mesh.collapse_edge(plan.halfedge, plan.site); break;
       case SPLIT:                m_mesh.split_edge(plan.halfedge, plan.site); break;
-      case REMOVAL:              std::visit([&](const auto& r) { r.execute(m_mesh); }, plan.removal); break;
-      case FLIP_AND_RELOCATION:
-        m_mesh.flip_edge(plan.halfedge);
-        m_mesh.relocate(plan.vertex, plan.site);
-        break;
+      case OPERATION:            std::visit([&](const auto& o) { o.execute(m_mesh); }, plan.operation); break;
     }
     return true;
   }

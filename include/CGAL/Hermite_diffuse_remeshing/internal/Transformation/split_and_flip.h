@@ -14,7 +14,6 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace CGAL {
@@ -47,13 +46,12 @@ class Split_and_flip
   Site m_site;
 
 public:
-  typedef std::pair<halfedge_descriptor, halfedge_descriptor> Sides;
-
-  // `sides`: of a face, to split and to flip; a score of -1 where they may not be
-  Worth plan(const Mesh& mesh, const Sides& sides)
+  // two sides of a face; a score of -1 where they may not be split and flipped
+  Worth plan(const Mesh& mesh, const halfedge_descriptor split, const halfedge_descriptor flipped)
   {
     const auto& tm = mesh.tmesh();
-    std::tie(m_split, m_flipped) = sides;
+    m_split = split;
+    m_flipped = flipped;
     const halfedge_descriptor o = opposite(m_split, tm), across = opposite(m_flipped, tm);
     if(mesh.siblings(m_split).size() != 1 || !is_split_topologically_legal(mesh, m_split)
        || !is_flippable(mesh, m_flipped)
