@@ -58,8 +58,8 @@ void propose_and_accept(const Working_mesh<UserMesh>& mesh, const Iterator first
 }
 
 // Same for vertices where a proposal depends on the neighbours, and `accept(vertex, proposal)` changes the vertex alone.
-// They are taken in waves: no two of a wave are neighbours, and a neighbour that comes before a vertex in `vertices`
-// is in an earlier wave. So proposals are what they would be if the vertices were taken one after the other.
+// They are taken in waves: no two of a wave are neighbours, so proposals are what they would be if its vertices were
+// taken one after the other.
 template <typename UserMesh, typename Propose, typename Accept>
 void propose_and_accept_in_waves(const Working_mesh<UserMesh>& mesh,
                                  const std::vector<typename Working_mesh<UserMesh>::vertex_descriptor>& vertices,
@@ -70,20 +70,25 @@ void propose_and_accept_in_waves(const Working_mesh<UserMesh>& mesh,
   constexpr std::size_t window_size = 1024;
   std::vector<int> wave(mesh.number_of_vertex_slots(), -1);       // -1: not in the window
   std::vector<std::pair<int, vertex_descriptor> > window;
+  std::vector<int> waves_around;
   for(std::size_t first = 0; first < vertices.size(); first += window_size)
   {
     window.clear();
     const std::size_t last = (std::min)(vertices.size(), first + window_size);
     for(std::size_t i = first; i < last; ++i)
     {
-      int latest = -1;
+      // the first wave without a neighbour: there are hardly more than the vertices have neighbours in the window
+      waves_around.clear();
       mesh.visit_copies(vertices[i], [&](const vertex_descriptor copy)
       {
         for(const auto h : CGAL::halfedges_around_target(copy, mesh.tmesh()))
-          latest = (std::max)(latest, wave[mesh.index(source(h, mesh.tmesh()))]);
+          waves_around.push_back(wave[mesh.index(source(h, mesh.tmesh()))]);
       });
-      wave[mesh.index(vertices[i])] = latest + 1;
-      window.push_back(std::make_pair(latest + 1, vertices[i]));
+      int free_wave = 0;
+      while(std::find(waves_around.begin(), waves_around.end(), free_wave) != waves_around.end())
+        ++free_wave;
+      wave[mesh.index(vertices[i])] = free_wave;
+      window.push_back(std::make_pair(free_wave, vertices[i]));
     }
     std::stable_sort(window.begin(), window.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for(auto begin = window.begin(); begin != window.end(); )
