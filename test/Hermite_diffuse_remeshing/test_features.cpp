@@ -411,26 +411,6 @@ void test_second_run(const std::string& name, const double error, const double g
   assert(changed_part < largest_changed_part);
 }
 
-// 2 sqrt(3) times the radius of the inscribed circle, over the longest side
-double smallest_quality(const Surface_mesh& mesh)
-{
-  double result = 1.;
-  for(const auto f : mesh.faces())
-  {
-    const auto h = mesh.halfedge(f);
-    const Point_3 p[3] = {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h)))};
-    double sum = 0., longest = 0.;
-    for(int k = 0; k < 3; ++k)
-    {
-      const double length = std::sqrt(CGAL::squared_distance(p[k], p[(k + 1) % 3]));
-      sum += length;
-      longest = (std::max)(longest, length);
-    }
-    result = (std::min)(result, 4. * std::sqrt(3.) * std::sqrt(CGAL::squared_area(p[0], p[1], p[2])) / (sum * longest));
-  }
-  return result;
-}
-
 // a flat leaf, as long as 1, between two parabolas that leave each other; they meet at its tip at twice `half_angle`
 Surface_mesh leaf(const double half_angle, const double bend)
 {
@@ -462,14 +442,14 @@ void test_sharp_corners()
   for(const double length : {0.07, 0.1, 0.14})
   {
     Surface_mesh mesh = leaf(half_angle, bend);
-    PMP::hermite_diffuse_remesh(mesh, params::minimum_edge_length(length).maximum_edge_length(length));
-    assert(smallest_quality(mesh) > least_quality);
+    const auto report = PMP::hermite_diffuse_remesh(mesh, params::minimum_edge_length(length).maximum_edge_length(length));
+    assert(report.smallest_quality > least_quality);
   }
   for(const double error : {0.0115, 0.0121, 0.0128})
   {
     Surface_mesh fandisk = read_data<Surface_mesh>("fandisk.off");
-    PMP::hermite_diffuse_remesh(fandisk, params::approximation_error(error).gradation(1.1));
-    assert(smallest_quality(fandisk) > 0.5);
+    const auto report = PMP::hermite_diffuse_remesh(fandisk, params::approximation_error(error).gradation(1.1));
+    assert(report.smallest_quality > 0.5);
   }
 }
 

@@ -60,6 +60,17 @@ inline Numbered_triangle with_corner(Numbered_triangle t, const int old_number, 
   return t;
 }
 
+// the triangles with a vertex at another site
+template <typename UserMesh>
+Numbered_triangles
+with_moved(const Working_mesh<UserMesh>& mesh, Numbered_triangles triangles,
+           const typename Working_mesh<UserMesh>::vertex_descriptor v, const Site& site)
+{
+  for(Numbered_triangle& t : triangles)
+    t = with_corner(t, mesh.index(v), mesh.index(v), site.point);
+  return triangles;
+}
+
 // The vertex, if the faces around it are a disc whose border is not touched; null otherwise
 template <typename UserMesh>
 typename Working_mesh<UserMesh>::vertex_descriptor
@@ -87,10 +98,7 @@ bool is_relocation_free(Working_mesh<UserMesh>& mesh,
       return true;
   }
   const Numbered_triangles replaced = triangles_around(mesh, {v});
-  Numbered_triangles made;
-  for(const Numbered_triangle& t : replaced)
-    made.push_back(with_corner(t, mesh.index(v), mesh.index(v), site.point));
-  return mesh.is_allowed(center, made, replaced);
+  return mesh.is_allowed(center, with_moved(mesh, replaced, v, site), replaced);
 }
 
 template <typename UserMesh>
@@ -175,9 +183,7 @@ bool is_flip_and_relocation_free(Working_mesh<UserMesh>& mesh,
       replaced.push_back(t);
       made.push_back(t);
     }
-  for(Numbered_triangle& t : made)
-    t = with_corner(t, mesh.index(v), mesh.index(v), site.point);
-  return mesh.is_free(center_of_disc(mesh, v), made, replaced);
+  return mesh.is_free(center_of_disc(mesh, v), with_moved(mesh, made, v, site), replaced);
 }
 
 // may contours take the place of the faces around vertices?

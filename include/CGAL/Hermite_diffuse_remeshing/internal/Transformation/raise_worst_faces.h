@@ -316,7 +316,7 @@ private:
       return;
     Worth before = worth_around(m_mesh, source(h, tm));
     before.add(worth_around(m_mesh, target(h, tm)));
-    plan_operation<Slide_from_corner<UserMesh> >(plan, before, h, longest_length);
+    plan_operation<Slide_from_corner<UserMesh> >(plan, before, h, before, longest_length);
   }
 
   // an edge at v or opposite to v is flipped, and v moves

@@ -34,19 +34,22 @@ class Slide_from_corner
   std::array<Site, 2> m_sites;
 
 public:
-  // `h`: of a face, opposite to the corner; a score of -1 where its ends may not move. No side of the face becomes longer
-  // than `longest_length` times its size.
-  Worth plan(const Mesh& mesh, const halfedge_descriptor h, const double longest_length)
+  // `h`: of a face with two other sides on curves, opposite to the corner; `before`: of all faces around its ends. A score
+  // of -1 where these may not move. No side of the face becomes longer than `longest_length` times its size.
+  Worth plan(const Mesh& mesh, const halfedge_descriptor h, const Worth& before, const double longest_length)
   {
     const auto& tm = mesh.tmesh();
     const Worth none{-1., 0.};
+    // the angle does not help a triangle that is turned over
+    if(before.score <= 0.)
+      return none;
     m_ends = {{source(h, tm), target(h, tm)}};
     const vertex_descriptor corner = target(next(h, tm), tm);
     const std::array<int, 2> curves = {{mesh.curve(prev(h, tm)), mesh.curve(next(h, tm))}};
     std::array<double, 2> parameters, origins;
     for(int i = 0; i < 2; ++i)
     {
-      if(curves[i] == -1 || mesh.is_fixed(m_ends[i]) || mesh.site(m_ends[i]).curve != curves[i])
+      if(mesh.is_fixed(m_ends[i]) || mesh.site(m_ends[i]).curve != curves[i])
         return none;
       parameters[i] = mesh.parameter(m_ends[i], curves[i]);
       origins[i] = mesh.parameter(corner, curves[i]);
@@ -56,10 +59,6 @@ public:
     constexpr double first_step = 0.1, last_step = 0.005;
     // of the score: a longer triangle that is hardly better is not worth two moves
     constexpr double least_gain = 0.01;
-    const Worth before = worth_at(mesh, {{mesh.site(m_ends[0]), mesh.site(m_ends[1])}});
-    // the angle does not help a triangle that is turned over
-    if(before.score <= 0.)
-      return none;
     double best = 1.;
     Worth result = before;
     for(double step = first_step; step >= last_step; )
@@ -99,13 +98,9 @@ public:
     if(!mesh.is_guarded())
       return true;
     const Numbered_triangles replaced = triangles_around(mesh, {m_ends[0], m_ends[1]});
-    Numbered_triangles made;
-    for(Numbered_triangle t : replaced)
-    {
-      for(int i = 0; i < 2; ++i)
-        t = with_corner(t, mesh.index(m_ends[i]), mesh.index(m_ends[i]), m_sites[i].point);
-      made.push_back(t);
-    }
+    Numbered_triangles made = replaced;
+    for(int i = 0; i < 2; ++i)
+      made = with_moved(mesh, made, m_ends[i], m_sites[i]);
     return mesh.is_free(Mesh::Graph_traits::null_vertex(), made, replaced);
   }
 
