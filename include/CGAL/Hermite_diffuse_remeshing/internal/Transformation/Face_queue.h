@@ -22,6 +22,9 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
+// Numbers of the vertices of a face in their order around it, the smallest first
+typedef std::array<int, 3> Face_corners;
+
 // Faces of a mesh that changes meanwhile, the one with the lowest score first. Equal ones come in the order of their
 // vertices' numbers, which is the same for every type of mesh. A face for which nothing could be done a few times
 // waits until all others have had their turn, however often something changes beside it.
@@ -35,7 +38,7 @@ class Face_queue
   struct Entry
   {
     int level;                          // of the score, quantised: rounding does not decide the order
-    std::array<int, 3> corners;         // numbers of the vertices, the smallest first
+    Face_corners corners;
 
     bool operator<(const Entry& other) const
     { return level != other.level ? level < other.level : corners < other.corners; }
@@ -43,7 +46,7 @@ class Face_queue
 
   const Mesh& m_mesh;
   std::set<Entry> m_entries, m_waiting;
-  std::map<std::array<int, 3>, int> m_number_of_failures;       // by corners
+  std::map<Face_corners, int> m_number_of_failures;
 
   // One in five succeeds after so many failures; in a crowded fold there would be hundreds of tries.
   static constexpr int patience = 2;
@@ -53,6 +56,13 @@ public:
 
   bool is_empty() const { return m_entries.empty() && m_waiting.empty(); }
   std::size_t size() const { return m_entries.size() + m_waiting.size(); }
+
+  Face_corners corners(const halfedge_descriptor h) const
+  {
+    Face_corners result = m_mesh.triangle(face(h, m_mesh.tmesh())).vertices;
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    return result;
+  }
 
   // the face of h
   void push(const halfedge_descriptor h)
@@ -78,13 +88,6 @@ public:
   }
 
 private:
-  std::array<int, 3> corners(const halfedge_descriptor h) const
-  {
-    std::array<int, 3> result = m_mesh.triangle(face(h, m_mesh.tmesh())).vertices;
-    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
-    return result;
-  }
-
   Entry make_entry(const halfedge_descriptor h) const
   {
     constexpr double levels = 1024., offset = 0.37;

@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <variant>
 #include <vector>
 
@@ -65,6 +66,7 @@ class Worst_face_hunt
   Mesh& m_mesh;
   double m_satisfying_score, m_satisfying_quality;
   Face_queue<UserMesh> m_queue;
+  std::set<Face_corners> m_given_way;   // needles that were raised at the expense of a score
 
   // shape comes before size here, but not without limit: lengths relative to the size
   static constexpr double longest_length = 2., shortest_length_to_split = 1.;
@@ -134,7 +136,17 @@ private:
   {
     const Plan plan = best_plan(h, BEST_SCORE);
     return execute(plan) || (plan.kind != NOTHING && execute(best_plan(h, BEST_FREE_SCORE)))
-        || (is_needle(h) && execute(best_plan(h, BEST_FREE_QUALITY)));
+        || (is_needle(h) && give_way(h));
+  }
+
+  // What gives way to a better shape may have a better score, and come back for that: each face does so once.
+  bool give_way(const halfedge_descriptor h)
+  {
+    const Face_corners corners = m_queue.corners(h);
+    if(m_given_way.count(corners) != 0 || !execute(best_plan(h, BEST_FREE_QUALITY)))
+      return false;
+    m_given_way.insert(corners);
+    return true;
   }
 
   bool is_needle(const halfedge_descriptor h) const { return face_worth(m_mesh, h).quality < needle_quality; }
