@@ -34,6 +34,32 @@ inline Sample_pair ordered(const int a, const int b)
   return a < b ? Sample_pair(a, b) : Sample_pair(b, a);
 }
 
+// What a curve asks for at one of its points. Where these are at uneven distances the spline bends more beside a point
+// than the circle through it and its neighbours does, and edges have to be short there in any case, to be near the
+// spline: the faces at them would be narrow if their sizes did not follow.
+inline double size_at_point(const Feature_spline& spline, const int point, const Size_sources& sources)
+{
+  // Of the distance that is allowed: edges that are to be near enough are shorter than their size by a square root of two
+  // then, as edges may be anyway. With less, faces that need not be smaller are.
+  constexpr double slack = 2.;
+  constexpr double step = 0.9;
+  // noise must not cost more than this part of the size
+  constexpr double least_part = 0.3;
+  double size = sources.clamped(sources.of_curvature(spline.curvature_at_point(point)));
+  const double s = spline.parameter(point);
+  // what bends farther away is the business of other points
+  const double first = spline.parameter((std::max)(0, point - 1));
+  const double last = spline.parameter((std::min)(spline.number_of_segments(), point + 1));
+  const auto are_chords_near = [&]
+  {
+    return (std::max)(spline.distance_to_chord((std::max)(first, s - size), s),
+                      spline.distance_to_chord(s, (std::min)(last, s + size))) <= slack * sources.largest_sagitta(size);
+  };
+  for(const double least = least_part * size; size > least && !are_chords_near(); )
+    size *= step;
+  return size;
+}
+
 // The sizes that feature curves ask for: by their own curvature, and by the width of the strips that they
 // bound. The edges of the curves are bisected with the size map's cells.
 class Curve_sizes

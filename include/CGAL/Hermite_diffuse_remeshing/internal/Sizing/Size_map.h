@@ -238,7 +238,11 @@ private:
         lower_by_curvature(surface.cut_mesh().vertex(i), curvatures[i]);
     for(const Feature_curve& curve : curves.curves)
       for(std::size_t i = 0; i < curve.vertices.size(); ++i)
-        lower_by_curvature(curve.vertices[i], curve.spline.curvature_at_point(static_cast<int>(i)));
+      {
+        const int point = static_cast<int>(i);
+        m_samples.lower_radius(curve.vertices[i], curve.spline.curvature_at_point(point));
+        lower(curve.vertices[i], size_at_point(curve.spline, point, m_sources));
+      }
   }
 
   void lower(const int sample, const double size)
