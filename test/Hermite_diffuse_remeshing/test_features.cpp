@@ -453,6 +453,51 @@ void test_sharp_corners()
   }
 }
 
+// a flat plate, a regular polygon of radius 1 with each corner cut off by a part of its sides: its border has points at
+// uneven distances
+Surface_mesh plate_with_cut_corners(const int number_of_corners, const double part)
+{
+  const auto corner = [&](const int i)
+  {
+    const double angle = 2. * analytic::pi * i / number_of_corners;
+    return Point_3(std::cos(angle), std::sin(angle), 0);
+  };
+  std::vector<Point_3> border;
+  for(int i = 0; i < number_of_corners; ++i)
+    for(const int neighbor : {i - 1, i + 1})
+      border.push_back(corner(i) + part / 2. * (corner(neighbor) - corner(i)));
+  Surface_mesh mesh;
+  const Vertex_index center = mesh.add_vertex(Point_3(0, 0, 0));
+  std::vector<Vertex_index> inside, outside;
+  for(const Point_3& p : border)
+  {
+    inside.push_back(mesh.add_vertex(CGAL::midpoint(p, mesh.point(center))));
+    outside.push_back(mesh.add_vertex(p));
+  }
+  for(std::size_t i = 0; i < border.size(); ++i)
+  {
+    const std::size_t j = (i + 1) % border.size();
+    mesh.add_face(center, inside[i], inside[j]);
+    mesh.add_face(inside[i], outside[i], outside[j]);
+    mesh.add_face(inside[i], outside[j], inside[j]);
+  }
+  return mesh;
+}
+
+// The spline bends more beside such points than the circles through three of them, and its edges are shorter; the sizes
+// of the faces follow, or their smallest quality is 0.44 to 0.55.
+void test_uneven_points()
+{
+  for(const double part : {0.15, 0.25})
+    for(const double error : {0.001, 0.0007})
+    {
+      Surface_mesh mesh = plate_with_cut_corners(20, part);
+      const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(error));
+      std::cout << "cut corners, " << error << ": smallest quality " << report.smallest_quality << std::endl;
+      assert(report.smallest_quality > 0.54);
+    }
+}
+
 int main()
 {
   test_fidelity("cube", read_data<Surface_mesh>("cube.off"), 8, 0.02);
@@ -468,6 +513,7 @@ int main()
   test_policies();
   test_free_edges();
   test_sharp_corners();
+  test_uneven_points();
   test_second_run("anchor_dense.off", 0.0107, 1.1);
   test_second_run("anchor_dense.off", 0.007, 1.3);
   test_second_run("couplingdown.off", 0.3, 1.3);
