@@ -404,18 +404,16 @@ void test_folded_border()
   std::cout << "  smallest quality " << report.smallest_quality << std::endl;
   assert(report.smallest_quality > 0.13);
 
-  output = input;
-  const auto finer = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.0273).gradation(1.1));
-  check_result(input, output);
-  std::cout << "  smallest quality " << finer.smallest_quality << std::endl;
-  assert(finer.smallest_quality > 0.13);
-
-  // One needle here has a better score, and a worse shape, whenever it has got a better shape: the others have their turn.
-  output = input;
-  const auto unsettled = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.02433294).gradation(1.1));
-  check_result(input, output);
-  std::cout << "  smallest quality " << unsettled.smallest_quality << std::endl;
-  assert(unsettled.smallest_quality > 0.1);
+  // With the second error a needle that gives way to a better shape comes back with a better score: only once, or the
+  // other faces would not have their turn.
+  for(const double error : {0.0273, 0.02433294})
+  {
+    output = input;
+    const auto finer = PMP::hermite_diffuse_remesh(output, params::approximation_error(error).gradation(1.1));
+    check_result(input, output);
+    std::cout << "  smallest quality " << finer.smallest_quality << std::endl;
+    assert(finer.smallest_quality > 0.13);
+  }
 
   // Faces beyond the border, in the plane of those at it, deviate; and the splits that they ask for make none flat.
   for(const double displacement : {6.5e-4, 5e-4})

@@ -46,6 +46,7 @@ inline double size_at_point(const Feature_spline& spline, const int point, const
   // noise must not cost more than this part of the size
   constexpr double least_part = 0.3;
   double size = sources.clamped(sources.of_curvature(spline.curvature_at_point(point)));
+  const double least = least_part * size;
   const double s = spline.parameter(point);
   // what bends farther away is the business of other points
   const double first = spline.parameter((std::max)(0, point - 1));
@@ -55,7 +56,7 @@ inline double size_at_point(const Feature_spline& spline, const int point, const
     return (std::max)(spline.distance_to_chord((std::max)(first, s - size), s),
                       spline.distance_to_chord(s, (std::min)(last, s + size))) <= slack * sources.largest_sagitta(size);
   };
-  for(const double least = least_part * size; size > least && !are_chords_near(); )
+  while(size > least && !are_chords_near())
     size *= step;
   return size;
 }
