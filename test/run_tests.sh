@@ -113,6 +113,7 @@ if ! cmake -S "$root" -B "$build" "${cmake_options[@]}" \
        -DBUILD_TESTING=ON -DCGAL_DATA_DIR="$CGAL_DATA_DIR" \
        -DHermite_diffuse_remeshing_CHECK_SOURCES=$check_sources \
        -DHermite_diffuse_remeshing_COMPILE_ONCE=$compile_once \
+       -DHermite_diffuse_remeshing_SELECTED_PROGRAMS="$(IFS=';'; echo "${programs[*]}")" \
        > "$build/configure.log" 2>&1; then
   cat "$build/configure.log"
   finish 0 1
@@ -125,7 +126,7 @@ say "building"
 targets=()
 selection=()
 if [ ${#programs[@]} -gt 0 ]; then
-  targets=(--target "${programs[@]}")
+  targets=(--target selected_programs)
   selection=(-R "$(IFS='|'; echo "${programs[*]}|package_by_find_package")")
 fi
 cmake --build "$build" --parallel "$(number_of_jobs)" "${targets[@]}" -- --keep-going || true
