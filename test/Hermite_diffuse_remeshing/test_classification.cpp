@@ -174,14 +174,6 @@ void test_needles()
   const Classification thick(roof(0., 0.2, 0.25));
   assert(thick.number(SHARP_EDGE) == 4);
 
-  // a fold may be thicker, up to a limit
-  assert(Classification(roof(0., -0.1, 0.02)).number(SHARP_EDGE) == 0);
-  assert(Classification(roof(0., -0.2, 0.02)).number(SHARP_EDGE) == 3);
-  // the tip of a blade is none, though its upper side is turned over against both faces of the lower one
-  const Classification blade(indexed({Vector(0., 0., 0.), Vector(1., -0.1, 0.), Vector(1., 0.1, 0.), Vector(1., 0., -0.02)},
-                                     {{{0, 1, 2}}, {{0, 3, 1}}, {{0, 2, 3}}}));
-  assert(blade.number(SHARP_EDGE) == 2);
-
   // a strip that is turned out of a plane and grows from a tip begins behind the needle
   const double width = 0.02;
   const Classification strip(indexed(

@@ -28,8 +28,6 @@ namespace internal {
 // triangle there can be well shaped. Where the faces around the needle form one sheet, or two that meet at a single
 // crease, it is taken to have the normal of one of them. Where it is the tip of a wedge, which goes on behind its
 // short side, the wedge ends at this side if the faces around the tip form one sheet; otherwise its features stay.
-// Where a sheet is folded back for the width of one face, and goes on behind it as before, that face may be wider: nobody
-// has meant such a shape.
 class Needles
 {
   const Indexed_triangles& m_surface;
@@ -41,8 +39,6 @@ class Needles
   std::vector<char> m_is_needle;
 
   static constexpr double largest_angle = 0.0873;     // 5 degrees
-  static constexpr double largest_angle_of_fold = 0.2618;     // 15 degrees: a quarter of its length wide
-  static constexpr double least_turn_of_fold = 2.356;         // 135 degrees between the normals at its sides
   // angles closer than this, in radians, are the same: rounding does not choose between two sheets
   static constexpr double angle_tolerance = 1e-6;
 
@@ -138,52 +134,9 @@ private:
 
   bool is_sharp_corner(const int f, const int corner) const
   {
-    return corner_angle(f, corner) < (is_fold(f, corner) ? largest_angle_of_fold : largest_angle);
-  }
-
-  double corner_angle(const int f, const int corner) const
-  {
     const Vector& p = m_surface.point(f, corner);
-    return angle_between(m_surface.point(f, next(corner)) - p, m_surface.point(f, previous(corner)) - p);
-  }
-
-  // The tip of a blade is turned over against its other side, too, but has little else around it.
-  bool is_fold(const int f, const int corner) const
-  {
-    constexpr double least_angle_of_others = 1.571;   // a right angle
-    for(const int side : {corner, previous(corner)})
-      if(!is_sharp(f, side)
-         || angle_between(m_surface.area_vector(f), m_normals[neighbor(f, side)]) < least_turn_of_fold)
-        return false;
-    return angle_between(m_normals[neighbor(f, corner)], m_normals[neighbor(f, previous(corner))]) <= m_sharp_angle
-        && angle_of_others(f, corner) > least_angle_of_others;
-  }
-
-  // the sum over the other faces of the sheet around the corner, whatever their orientations
-  double angle_of_others(const int face, const int corner) const
-  {
-    const int center = m_surface.triangles[face][corner];
-    double sum = 0.;
-    for(const int first_side : {corner, previous(corner)})
-    {
-      int f = face, e = m_edges.edge(face, first_side);
-      while(m_edges.number_of_sides(e) == 2)
-      {
-        f = m_edges.side(e, m_edges.side(e, 0).face == f ? 1 : 0).face;
-        if(f == face)
-          return sum;
-        const int k = corner_of_vertex(f, center);
-        e = m_edges.edge(f, m_edges.edge(f, k) == e ? previous(k) : k);
-        sum += corner_angle(f, k);
-      }
-    }
-    return sum;
-  }
-
-  int corner_of_vertex(const int f, const int vertex) const
-  {
-    const std::array<int, 3>& corners = m_surface.triangles[f];
-    return static_cast<int>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+    return angle_between(m_surface.point(f, next(corner)) - p, m_surface.point(f, previous(corner)) - p)
+         < largest_angle;
   }
 
   bool is_needle_between_features(const int f) const
