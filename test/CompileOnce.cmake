@@ -24,9 +24,8 @@ foreach(_folder examples test)
   foreach(_program ${_programs})
     get_target_property(_type ${_program} TYPE)
     get_target_property(_libraries ${_program} LINK_LIBRARIES)
-    # others have flags of their own, or are of other types of mesh
-    if(_type STREQUAL "EXECUTABLE" AND _libraries MATCHES "Eigen3_support"
-       AND NOT _libraries MATCHES "OpenMesh|viewer|program_options" AND NOT _program STREQUAL "test_mesh_types")
+    # the viewer has flags of its own
+    if(_type STREQUAL "EXECUTABLE" AND _libraries MATCHES "Eigen3_support" AND NOT _libraries MATCHES "viewer")
       target_link_libraries(${_program} PRIVATE compiled_once ${_threads})
       target_precompile_headers(${_program} REUSE_FROM compiled_once)
     endif()

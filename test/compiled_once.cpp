@@ -3,6 +3,9 @@
 COMPILED_ONCE_STAGES(, compiled_once::Surface_mesh_user)
 COMPILED_ONCE_STAGES(, compiled_once::Polyhedron_user)
 
+COMPILED_ONCE_MODEL(, Input_surface)
+COMPILED_ONCE_MODEL(, Input_model)
+
 COMPILED_ONCE_SMOOTHING()
 COMPILED_ONCE_FITS(, 2)
 COMPILED_ONCE_FITS(, 3)

@@ -37,6 +37,15 @@ typedef CGAL::Hermite_diffuse_remeshing::internal::User_mesh<CGAL::Polyhedron_3<
 COMPILED_ONCE_STAGES(extern, compiled_once::Surface_mesh_user)
 COMPILED_ONCE_STAGES(extern, compiled_once::Polyhedron_user)
 
+#define COMPILED_ONCE_MODEL(PREFIX, MODEL)                                                                   \
+  PREFIX template std::unique_ptr<CGAL::Hermite_diffuse_remeshing::internal::MODEL>                          \
+  CGAL::Hermite_diffuse_remeshing::internal::make_model<CGAL::Hermite_diffuse_remeshing::internal::MODEL>(   \
+    const Indexed_triangles&, const Feature_options&, const Model_options&, const Read_edge_mark&,           \
+    const Read_vertex_constraint&, const std::vector<Vector>&, const Progress&);
+
+COMPILED_ONCE_MODEL(extern, Input_surface)
+COMPILED_ONCE_MODEL(extern, Input_model)
+
 #define COMPILED_ONCE_FITS(PREFIX, DEGREE)                                                                   \
   PREFIX template double CGAL::Hermite_diffuse_remeshing::internal::Normal_fitter::add_fit<DEGREE>(          \
     const Node_frame&, double, Fitted_normal&) const;                                                        \

@@ -295,11 +295,10 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
     Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations), is_guarded},
     [&]
     {
-      return std::unique_ptr<Input_model>(
-        new Input_model(surface, feature_options, model_options,
-                        [&](const int f, const int side) { return marks[f][side]; },
-                        [&](const int v) -> bool { return get(vcm, std::size_t(v)); },
-                        std::vector<Vector>(), watched.progress_of_stage()));
+      return make_model<Input_model>(surface, feature_options, model_options,
+                                     [&](const int f, const int side) { return marks[f][side]; },
+                                     [&](const int v) -> bool { return get(vcm, std::size_t(v)); },
+                                     std::vector<Vector>(), watched.progress_of_stage());
     },
     [] {},
     [&](const auto& working_mesh, const auto& deviations)

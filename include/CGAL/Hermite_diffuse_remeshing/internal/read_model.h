@@ -62,11 +62,10 @@ std::unique_ptr<Model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& in
                                     Static_boolean_property_map<vertex_descriptor, false>());
   Model_options options = read_model_options(pack);
   options.is_parallel = is_parallel<ConcurrencyTag>();
-  return std::unique_ptr<Model>(
-    new Model(input.triangles, read_feature_options(pack), options,
-              [&](const int f, const int side) { return input.side_marks[f][side]; },
-              [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
-              read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress));
+  return make_model<Model>(input.triangles, read_feature_options(pack), options,
+                           [&](const int f, const int side) { return input.side_marks[f][side]; },
+                           [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
+                           read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress);
 }
 
 } // namespace internal

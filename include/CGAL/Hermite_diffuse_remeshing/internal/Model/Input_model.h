@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
 #include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -98,6 +99,17 @@ struct Input_model : Input_surface
   Input_model(const Input_model&) = delete;             // the locator refers to the surface
   Input_model& operator=(const Input_model&) = delete;
 };
+
+// `Model` is `Input_model` or `Input_surface`. A template although nothing here depends on the type of a mesh: a program
+// of many translation units can have it instantiated in one of them.
+template <typename Model>
+std::unique_ptr<Model> make_model(const Indexed_triangles& triangles, const Feature_options& features,
+                                  const Model_options& options, const Read_edge_mark& edge_mark,
+                                  const Read_vertex_constraint& is_vertex_constrained,
+                                  const std::vector<Vector>& vertex_normals, const Progress& progress)
+{
+  return std::make_unique<Model>(triangles, features, options, edge_mark, is_vertex_constrained, vertex_normals, progress);
+}
 
 } // namespace internal
 } // namespace Hermite_diffuse_remeshing
