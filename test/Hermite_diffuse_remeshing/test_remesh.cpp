@@ -389,6 +389,17 @@ void test_narrow_strips()
   }
 }
 
+// Tessellated cylinders and plates: most of the vertices that are made stay.
+void test_slivers(const char* file)
+{
+  Surface_mesh mesh = read_data<Surface_mesh>(file);
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.02));
+  std::cout << file << ": " << report.number_of_splits << " splits, " << report.number_of_collapses
+            << " collapses for " << report.number_of_faces << " faces" << std::endl;
+  assert(report.number_of_collapses < report.number_of_faces);
+  assert(report.smallest_quality > 0.55);
+}
+
 // At a border where the input is folded back on itself all triangles are turned over. Its edges, six times as long as
 // their sizes, are split all the same: the worst triangle would stay at one of them. Nor does one that is turned over
 // give way to a flat one.
@@ -863,6 +874,8 @@ int main(int argc, char** argv)
   test_close_corners();
   test_sharp_corners();
   test_narrow_strips();
+  test_slivers("joint.off");
+  test_slivers("oblong.off");
   test_folded_border();
   test_pleat();
   test_maximum_deviation();

@@ -16,6 +16,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/mesh_statistics.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_slivers.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -63,7 +64,9 @@ protected:
     {
       ++m_number_of_iterations;
       const double longest = Length_band::longest(i), shortest = Length_band::shortest(i);
-      std::size_t changes = split_long_edges(m_mesh, longest, since_change, Length_band::slack_of_sagitta(i));
+      const double slack = Length_band::slack_of_sagitta(i);
+      std::size_t changes = i == 0 ? split_slivers(m_mesh, longest, slack) : 0;
+      changes += split_long_edges(m_mesh, longest, since_change, slack);
       changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
       changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_valence(m_mesh, since); });
       if(!is_refined || i < first_iteration + number_of_balancing_passes_of_refined)

@@ -48,6 +48,8 @@ private:
 public:
   Star(const Reference& reference, const Objective objective) : m_reference(reference), m_objective(objective) {}
 
+  Objective objective() const { return m_objective; }
+
   // adds the remeshed faces around all copies of v
   template <typename UserMesh>
   void add(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::vertex_descriptor v)

@@ -109,11 +109,15 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
                                            : after.score > before.score + score_margin;
 }
 
+// halve the longest edge from the model's diameter to its rounding
+constexpr int maximum_number_of_split_rounds = 48;
+
 // Splits the edges that are longer than `bound` times their size, or farther from their feature curve than `slack`
-// times what is allowed, each once. Only edges with changes around them are looked at.
-template <typename UserMesh>
+// times what is allowed, each once, and only if `is_ready(halfedge)` when its turn comes. Only edges with changes around
+// them are looked at.
+template <typename UserMesh, typename IsReady>
 std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
-                                  const Edge_order order = LONGEST_FIRST, const double slack = 1.)
+                                  const Edge_order order, const double slack, const IsReady& is_ready)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   const std::size_t before = mesh.counts().splits;
@@ -125,10 +129,18 @@ std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bou
                      { return mesh.is_full() ? Site() : middle_site(mesh, candidate.halfedge); },
                      [&](const auto& candidate, const Site& site, std::size_t)
   {
-    if(is_split_legal(mesh, candidate.halfedge, site) && is_split_free(mesh, candidate.halfedge, site))
+    if(is_ready(candidate.halfedge) && is_split_legal(mesh, candidate.halfedge, site)
+       && is_split_free(mesh, candidate.halfedge, site))
       mesh.split_edge(candidate.halfedge, site);
   });
   return mesh.counts().splits - before;
+}
+
+template <typename UserMesh>
+std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
+                                  const Edge_order order = LONGEST_FIRST, const double slack = 1.)
+{
+  return split_long_edges_once(mesh, bound, since, order, slack, [](auto) { return true; });
 }
 
 // Edges that are still too long after that are met again in the next round. Lengths halve, so the rounds end.
@@ -136,12 +148,10 @@ template <typename UserMesh>
 std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
                              const double slack = 1.)
 {
-  // halves the longest edge from the model's diameter to its rounding
-  constexpr int maximum_number_of_rounds = 48;
   const std::size_t before = mesh.counts().splits;
   // what could not be split, and has not changed in the round before, is not tried again
   std::size_t since_round = since;
-  for(int round = 0; round < maximum_number_of_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
+  for(int round = 0; round < maximum_number_of_split_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
   {
     const std::size_t number_of_changes = mesh.number_of_changes();
     if(split_long_edges_once(mesh, bound, since_round, LONGEST_FIRST, slack) == 0)
