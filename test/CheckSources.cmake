@@ -1,9 +1,10 @@
-# Tests of the sources themselves, registered by the package's CMakeLists.txt on request.
+# Tests of the sources themselves, with the label `sources`, registered by the package's CMakeLists.txt on request.
 
 set(_check bash "${PROJECT_SOURCE_DIR}/test/check_sources.sh")
 foreach(_name include_direction version_use no_output no_abort guards lengths tests_mirror_folders
         manual_is_complete)
   add_test(NAME "source_${_name}" COMMAND ${_check} ${_name})
+  set_tests_properties("source_${_name}" PROPERTIES LABELS sources)
 endforeach()
 
 # The other compiler has its say here: the build itself uses ${CMAKE_CXX_COMPILER}.
@@ -18,6 +19,7 @@ endforeach()
 
 add_test(NAME source_exact_kernel
   COMMAND ${_check} exact_kernel "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})
+set_tests_properties(source_exact_kernel PROPERTIES LABELS sources)
 
 # Not the examples: the build has compiled them, and they call what the benchmarks call.
 file(GLOB _users_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
@@ -60,7 +62,7 @@ function(precompile name lines)
     COMMAND "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} -fpch-instantiate-templates -x c++-header
             "${CMAKE_CURRENT_BINARY_DIR}/${name}.h" -o "${CMAKE_CURRENT_BINARY_DIR}/${name}.pch")
   # the others wait for it
-  set_tests_properties("precompile_${name}" PROPERTIES FIXTURES_SETUP "precompiled_${name}" COST 900)
+  set_tests_properties("precompile_${name}" PROPERTIES FIXTURES_SETUP "precompiled_${name}" COST 900 LABELS sources)
 endfunction()
 
 if(Hermite_diffuse_remeshing_CHECK_COMPILER MATCHES "clang")
@@ -111,6 +113,7 @@ foreach(_source ${_sources})
   endif()
   add_test(NAME "alone_${_name}"
     COMMAND ${_check} compiles "${_source}" "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} ${_alone})
+  set_tests_properties("alone_${_name}" PROPERTIES LABELS sources)
   if(_alone)
     set_tests_properties("alone_${_name}" PROPERTIES FIXTURES_REQUIRED "precompiled_${_precompiled}")
   endif()

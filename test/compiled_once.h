@@ -46,6 +46,14 @@ COMPILED_ONCE_STAGES(extern, compiled_once::Polyhedron_user)
 COMPILED_ONCE_MODEL(extern, Input_surface)
 COMPILED_ONCE_MODEL(extern, Input_model)
 
+#define COMPILED_ONCE_REPAIRS(PREFIX)                                                                        \
+  PREFIX template CGAL::Hermite_diffuse_remeshing::internal::Repaired_triangles                              \
+  CGAL::Hermite_diffuse_remeshing::internal::repair_triangles<                                               \
+    CGAL::Hermite_diffuse_remeshing::internal::Repair_planner>(                                              \
+    const Indexed_triangles&, const Side_marks&, double, const std::vector<char>&, const std::vector<char>&);
+
+COMPILED_ONCE_REPAIRS(extern)
+
 #define COMPILED_ONCE_FITS(PREFIX, DEGREE)                                                                   \
   PREFIX template double CGAL::Hermite_diffuse_remeshing::internal::Normal_fitter::add_fit<DEGREE>(          \
     const Node_frame&, double, Fitted_normal&) const;                                                        \

@@ -121,6 +121,15 @@ if ! cmake -S "$root" -B "$build" "${cmake_options[@]}" \
 fi
 grep -E '^-- (CGAL [0-9]|The CXX compiler)' "$build/configure.log" || true
 
+# The sources are checked beside the build, whose first step keeps only one processor busy.
+log=$build/ctest.log
+sources_log=$build/sources.log
+: > "$sources_log"
+if [ $check_sources = ON ]; then
+  (cd "$build" && ctest -L sources --parallel "$((($(number_of_jobs) + 1) / 2))" --timeout 1200 --output-on-failure) \
+    > "$sources_log" 2>&1 &
+fi
+
 # What does not compile is counted below, as a failed test.
 say "building"
 targets=()
@@ -132,12 +141,14 @@ fi
 cmake --build "$build" --parallel "$(number_of_jobs)" "${targets[@]}" -- --keep-going || true
 
 say "testing"
-log=$build/ctest.log
-(cd "$build" && ctest "${selection[@]}" --parallel "$(number_of_jobs)" --timeout 1200 --output-on-failure) 2>&1 \
+wait
+cat "$sources_log"
+(cd "$build" \
+   && ctest -LE sources "${selection[@]}" --parallel "$(number_of_jobs)" --timeout 1200 --output-on-failure) 2>&1 \
   | tee "$log" || true
 
 # Setting up and cleaning of the folder in which the tests run are no tests.
-results=$(grep -E '^ *[0-9]+/[0-9]+ Test +#[0-9]+: ' "$log" \
+results=$(grep -h -E '^ *[0-9]+/[0-9]+ Test +#[0-9]+: ' "$sources_log" "$log" \
             | grep -v -E '(_SetupFixture|_CleanupFixture|check_build_system) \.+ +Passed' || true)
 passed=$(grep -c -E ' Passed +[0-9.]+ sec' <<< "$results" || true)
 failed=$(grep -c -v -E ' Passed +[0-9.]+ sec|^$' <<< "$results" || true)

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -123,15 +122,15 @@ class Repair_planner
   static constexpr int maximum_number_of_passes = 16;
 
 public:
-  // `is_free(face)`: may it be changed? `is_constrained(vertex)`: must it stay?
+  // `is_free[face]`: may it be changed? `is_constrained[vertex]`: must it stay?
   Repair_planner(const Indexed_triangles& input, const Side_marks& side_marks, const double resolution,
-                 const std::function<bool(int)>& is_free, const std::function<bool(int)>& is_constrained)
+                 const std::vector<char>& is_free, const std::vector<char>& is_constrained)
     : m_input(input), m_resolution(resolution)
   {
     m_mark = m_mesh.add_property_map<Connectivity::Edge_index, Edge_mark>("e:mark", UNMARKED_EDGE).first;
     m_is_kept = m_mesh.add_property_map<Vertex_index, bool>("v:kept", false).first;
     for(int v = 0; v < input.number_of_vertices(); ++v)
-      m_is_kept[m_mesh.add_vertex()] = is_constrained(v);
+      m_is_kept[m_mesh.add_vertex()] = is_constrained[v] != 0;
     for(int f = 0; f < input.number_of_faces(); ++f)
     {
       const std::array<int, 3>& t = input.triangles[f];
@@ -142,7 +141,7 @@ public:
       {
         const Vertex_index source(t[k]), target(t[next(k)]);
         m_mark[m_mesh.edge(m_mesh.halfedge(source, target))] = side_marks[f][k];
-        if(!is_free(f))
+        if(!is_free[f])
           m_is_kept[source] = true;
       }
     }
@@ -294,6 +293,14 @@ private:
     return true;
   }
 };
+
+// `Planner` is `Repair_planner`: a template for the same reason as `make_model()`.
+template <typename Planner>
+Repaired_triangles repair_triangles(const Indexed_triangles& input, const Side_marks& side_marks, const double resolution,
+                                    const std::vector<char>& is_free, const std::vector<char>& is_constrained)
+{
+  return Planner(input, side_marks, resolution, is_free, is_constrained)();
+}
 
 } // namespace internal
 } // namespace Hermite_diffuse_remeshing

@@ -53,10 +53,8 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
     for(int k = 0; k < 3; ++k)
       if(input.side_marks[f][k] == MARKED_PROTECTED)
         is_constrained[input.triangles.triangles[f][k]] = is_constrained[input.triangles.triangles[f][next(k)]] = true;
-  Repair_planner planner(input.triangles, input.side_marks, resolution,
-                         [&](const int f) { return is_remeshed[f] != 0; },
-                         [&](const int v) { return is_constrained[v] != 0; });
-  const Repaired_triangles repaired = planner();
+  const Repaired_triangles repaired = repair_triangles<Repair_planner>(input.triangles, input.side_marks, resolution,
+                                                                       is_remeshed, is_constrained);
   report.number_of_degenerate_input_faces = repaired.number_of_degenerate_faces;
   report.number_of_unrepaired_faces = repaired.number_of_degenerate_faces_left;
 
