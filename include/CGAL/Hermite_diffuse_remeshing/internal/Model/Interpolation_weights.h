@@ -124,9 +124,9 @@ private:
 
   static void collect(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int face, Influences& result)
   {
-    result.clear();
+    result.resize(3);
     for(int k = 0; k < 3; ++k)
-      result.push_back({cut_mesh.node(face, k), static_cast<unsigned char>(k)});
+      result[k] = {cut_mesh.node(face, k), static_cast<unsigned char>(k)};
     for(int k = 0; k < 3; ++k)
       if(!nodes[cut_mesh.node(face, k)].is_singular)
         for(const int j : cut_mesh.ring(cut_mesh.node(face, k)))
