@@ -69,14 +69,16 @@ struct Clear_ball
   // how far a point is from the outside, if it is inside
   double depth(const Vector& p) const { return (std::min)(radius - (p - center).norm(), half_height - height(p)); }
 
-  // the ball with the center and the radius, and in this the corners of triangles?
+  // Triangles, whose corners are no farther from one of these, `corner`, than `distance`?
   template <typename Triangles>
-  bool holds(const Vector& other_center, const double other_radius,
-             const std::initializer_list<const Triangles*> triangles) const
+  bool holds(const Vector& corner, const double distance, const std::initializer_list<const Triangles*> triangles) const
   {
-    if(radius < other_radius || (other_center - center).squaredNorm() > CGAL::square(radius - other_radius))
+    const double squared_distance = (corner - center).squaredNorm();
+    if(squared_distance > CGAL::square(radius))
       return false;
-    return !std::isfinite(half_height) || largest_height(triangles) <= half_height;
+    const bool does_hold_all = distance <= radius && squared_distance <= CGAL::square(radius - distance);
+    return (does_hold_all || has_inside(triangles))
+        && (!std::isfinite(half_height) || largest_height(triangles) <= half_height);
   }
 
   // May the triangle be made in the ball?
@@ -87,6 +89,19 @@ struct Clear_ball
     constexpr double least_cosine = 0.1;
     const Vector n = area_vector(t);
     return n.dot(axis) > least_cosine * n.norm();
+  }
+
+private:
+  // of the whole ball
+  template <typename Triangles>
+  bool has_inside(const std::initializer_list<const Triangles*> triangles) const
+  {
+    for(const Triangles* const some : triangles)
+      for(const auto& t : *some)
+        for(int i = 0; i < 3; ++i)
+          if((corner_of(t, i) - center).squaredNorm() > CGAL::square(radius))
+            return false;
+    return true;
   }
 };
 

@@ -236,9 +236,9 @@ private:
     return true;
   }
 
-  // A clear ball that holds the one around v with the radius and, in this, the corners: that of v, one of its neighbours,
-  // or a new one; -1 if there is none, or none worth a search. What is too close to the neighbours for a ball will be too
-  // close to v.
+  // A clear ball that holds the triangles, of which v is a corner, and none of which has one farther from v than the radius:
+  // the ball of v, one of its neighbours, or a new one; -1 if there is none, or none worth a search. What is too close to
+  // the neighbours for a ball will be too close to v.
   template <typename Triangles>
   int find_ball(const vertex_descriptor v, const double radius,
                 const std::initializer_list<const Triangles*> triangles)

@@ -56,7 +56,7 @@ private:
   Sheet_view m_view;
 
   // In a fine mesh that is being coarsened, for one, a search looks as far as it is expected to meet so many faces,
-  static constexpr double satisfying_number_of_faces = 512.;
+  static constexpr double satisfying_number_of_faces = 1024.;
   // and no farther than it meets as many times as many, where they are smaller than around its center.
   static constexpr double largest_excess_of_faces = 4.;
   // Angle to the axis of the faces that are found in a ball, in radians. What is between this and the angle of those
