@@ -66,6 +66,8 @@ class Deviation_meter
   // Of the height of the model over a face: a ridge that may rise by less, in a face that is not among the highest, is
   // left to the part by which all deviations are raised.
   static constexpr double negligible_ridge = 0.02;
+  // Of what is expected at ridges: none has been seen to rise to more than 1.3 times as much.
+  static constexpr double largest_rise = 1.5;
 
 public:
   // `bound`: deviations below it need no second look
@@ -298,8 +300,9 @@ private:
         return true;
       if(f == -1 || !(m_gaps[f].bound() > part_of_ridges * m_second_look))
         return false;
-      return m_gaps[f].ridge > negligible_ridge * m_gaps[f].bound()
-          || m_gaps[f].bound() + m_gaps[f].ridge > m_second_look;
+      const double expected = m_gaps[f].bound() + m_gaps[f].ridge;
+      return expected > m_second_look
+          || (largest_rise * expected > m_second_look && m_gaps[f].ridge > negligible_ridge * m_gaps[f].bound());
     };
     std::vector<int> high_faces;
     std::copy_if(m_new_faces.begin(), m_new_faces.end(), std::back_inserter(high_faces), [&](const int f)
