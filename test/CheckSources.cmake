@@ -1,10 +1,15 @@
 # Tests of the sources themselves, with the label `sources`, registered by the package's CMakeLists.txt on request.
 
 set(_check bash "${PROJECT_SOURCE_DIR}/test/check_sources.sh")
+
+function(add_source_test name)
+  add_test(NAME "${name}" COMMAND ${ARGN})
+  set_tests_properties("${name}" PROPERTIES LABELS sources)
+endfunction()
+
 foreach(_name include_direction version_use no_output no_abort guards lengths tests_mirror_folders
         manual_is_complete)
-  add_test(NAME "source_${_name}" COMMAND ${_check} ${_name})
-  set_tests_properties("source_${_name}" PROPERTIES LABELS sources)
+  add_source_test("source_${_name}" ${_check} ${_name})
 endforeach()
 
 # The other compiler has its say here: the build itself uses ${CMAKE_CXX_COMPILER}.
@@ -17,9 +22,7 @@ foreach(_folder ${CGAL_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIR} ${EIGEN3_INCLUDE_DIRS
   endif()
 endforeach()
 
-add_test(NAME source_exact_kernel
-  COMMAND ${_check} exact_kernel "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})
-set_tests_properties(source_exact_kernel PROPERTIES LABELS sources)
+add_source_test(source_exact_kernel ${_check} exact_kernel "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})
 
 # Not the examples: the build has compiled them, and they call what the benchmarks call.
 file(GLOB _users_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
@@ -58,11 +61,11 @@ endfunction()
 function(precompile name lines)
   string(REPLACE ";" "\n" _lines "${lines}\n")
   file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/${name}.h" "${_lines}")
-  add_test(NAME "precompile_${name}"
-    COMMAND "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} -fpch-instantiate-templates -x c++-header
-            "${CMAKE_CURRENT_BINARY_DIR}/${name}.h" -o "${CMAKE_CURRENT_BINARY_DIR}/${name}.pch")
+  add_source_test("precompile_${name}"
+    "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} -fpch-instantiate-templates -x c++-header
+    "${CMAKE_CURRENT_BINARY_DIR}/${name}.h" -o "${CMAKE_CURRENT_BINARY_DIR}/${name}.pch")
   # the others wait for it
-  set_tests_properties("precompile_${name}" PROPERTIES FIXTURES_SETUP "precompiled_${name}" COST 900 LABELS sources)
+  set_tests_properties("precompile_${name}" PROPERTIES FIXTURES_SETUP "precompiled_${name}" COST 900)
 endfunction()
 
 if(Hermite_diffuse_remeshing_CHECK_COMPILER MATCHES "clang")
@@ -111,9 +114,8 @@ foreach(_source ${_sources})
   if(_precompiled AND TEST "precompile_${_precompiled}")
     set(_alone -include-pch "${CMAKE_CURRENT_BINARY_DIR}/${_precompiled}.pch")
   endif()
-  add_test(NAME "alone_${_name}"
-    COMMAND ${_check} compiles "${_source}" "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} ${_alone})
-  set_tests_properties("alone_${_name}" PROPERTIES LABELS sources)
+  add_source_test("alone_${_name}"
+    ${_check} compiles "${_source}" "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} ${_alone})
   if(_alone)
     set_tests_properties("alone_${_name}" PROPERTIES FIXTURES_REQUIRED "precompiled_${_precompiled}")
   endif()

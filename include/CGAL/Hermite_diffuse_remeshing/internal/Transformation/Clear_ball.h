@@ -33,6 +33,18 @@ Vector area_vector(const Triangle& t)
   return (corner_of(t, 1) - corner_of(t, 0)).cross(corner_of(t, 2) - corner_of(t, 0));
 }
 
+// of the values at all corners of triangles; at least zero
+template <typename Triangles, typename Value>
+double largest_at_corners(const std::initializer_list<const Triangles*> triangles, const Value& value)
+{
+  double result = 0.;
+  for(const Triangles* const some : triangles)
+    for(const auto& t : *some)
+      for(int i = 0; i < 3; ++i)
+        result = (std::max)(result, value(corner_of(t, i)));
+  return result;
+}
+
 // A ball in which all faces hang together and, seen along the axis, lie side by side and face the viewer. Where another
 // sheet comes near it is a slice of a ball, which ends halfway to the sheet: in a slice no triangle can meet what is
 // outside, however large its ball is.
@@ -49,12 +61,7 @@ struct Clear_ball
   template <typename Triangles>
   double largest_height(const std::initializer_list<const Triangles*> triangles) const
   {
-    double result = 0.;
-    for(const Triangles* const some : triangles)
-      for(const auto& t : *some)
-        for(int i = 0; i < 3; ++i)
-          result = (std::max)(result, height(corner_of(t, i)));
-    return result;
+    return largest_at_corners(triangles, [this](const Vector& p) { return height(p); });
   }
 
   // of a triangle; zero where it meets the plane in the middle
@@ -69,15 +76,17 @@ struct Clear_ball
   // how far a point is from the outside, if it is inside
   double depth(const Vector& p) const { return (std::min)(radius - (p - center).norm(), half_height - height(p)); }
 
-  // Triangles, whose corners are no farther from one of these, `corner`, than `distance`?
+  // a point and triangles, whose corners are no farther from it than `distance`?
   template <typename Triangles>
-  bool holds(const Vector& corner, const double distance, const std::initializer_list<const Triangles*> triangles) const
+  bool holds(const Vector& point, const double distance, const std::initializer_list<const Triangles*> triangles) const
   {
-    const double squared_distance = (corner - center).squaredNorm();
-    if(squared_distance > CGAL::square(radius))
+    const auto squared_distance = [this](const Vector& p) { return (p - center).squaredNorm(); };
+    const double squared_distance_of_point = squared_distance(point);
+    if(squared_distance_of_point > CGAL::square(radius))
       return false;
-    const bool does_hold_all = distance <= radius && squared_distance <= CGAL::square(radius - distance);
-    return (does_hold_all || has_inside(triangles))
+    // mostly told without the corners
+    const bool does_hold_all = distance <= radius && squared_distance_of_point <= CGAL::square(radius - distance);
+    return (does_hold_all || largest_at_corners(triangles, squared_distance) <= CGAL::square(radius))
         && (!std::isfinite(half_height) || largest_height(triangles) <= half_height);
   }
 
@@ -89,19 +98,6 @@ struct Clear_ball
     constexpr double least_cosine = 0.1;
     const Vector n = area_vector(t);
     return n.dot(axis) > least_cosine * n.norm();
-  }
-
-private:
-  // of the whole ball
-  template <typename Triangles>
-  bool has_inside(const std::initializer_list<const Triangles*> triangles) const
-  {
-    for(const Triangles* const some : triangles)
-      for(const auto& t : *some)
-        for(int i = 0; i < 3; ++i)
-          if((corner_of(t, i) - center).squaredNorm() > CGAL::square(radius))
-            return false;
-    return true;
   }
 };
 

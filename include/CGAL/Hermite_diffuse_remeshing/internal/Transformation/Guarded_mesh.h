@@ -119,11 +119,8 @@ public:
   {
     if(center == Graph_traits::null_vertex())
       return false;
-    double squared_radius = 0.;
-    for(const Triangles* const triangles : {&made, &replaced})
-      for(const auto& t : *triangles)
-        for(int i = 0; i < 3; ++i)
-          squared_radius = (std::max)(squared_radius, (corner_of(t, i) - point(center)).squaredNorm());
+    const double squared_radius =
+      largest_at_corners<Triangles>({&made, &replaced}, [&](const Vector& p) { return (p - point(center)).squaredNorm(); });
     const int ball = find_ball(center, std::sqrt(squared_radius), {&made, &replaced});
     return ball != -1
         && std::all_of(made.begin(), made.end(), [&](const auto& t) { return m_balls[ball].is_faced_by(t); });
@@ -236,9 +233,9 @@ private:
     return true;
   }
 
-  // A clear ball that holds the triangles, of which v is a corner, and none of which has one farther from v than the radius:
-  // the ball of v, one of its neighbours, or a new one; -1 if there is none, or none worth a search. What is too close to
-  // the neighbours for a ball will be too close to v.
+  // A clear ball that holds v and the triangles, whose corners are no farther from v than the radius: the ball of v, one of
+  // its neighbours, or a new one; -1 if there is none, or none worth a search. What is too close to the neighbours for a
+  // ball will be too close to v.
   template <typename Triangles>
   int find_ball(const vertex_descriptor v, const double radius,
                 const std::initializer_list<const Triangles*> triangles)
