@@ -2,14 +2,22 @@
 
 set(_check bash "${PROJECT_SOURCE_DIR}/test/check_sources.sh")
 
-function(add_source_test name)
-  add_test(NAME "${name}" COMMAND ${ARGN})
-  set_tests_properties("${name}" PROPERTIES LABELS sources)
+# `seen_first`: what `precompile()` has been given under this name is seen by the compiler before anything else; may be
+# empty, and is nothing where nothing is precompiled
+function(add_source_test name seen_first)
+  set(_command ${ARGN})
+  set(_fixtures)
+  if(seen_first AND TEST "precompile_${seen_first}")
+    list(APPEND _command -include-pch "${CMAKE_CURRENT_BINARY_DIR}/${seen_first}.pch")
+    set(_fixtures FIXTURES_REQUIRED "precompiled_${seen_first}")
+  endif()
+  add_test(NAME "${name}" COMMAND ${_command})
+  set_tests_properties("${name}" PROPERTIES LABELS sources ${_fixtures})
 endfunction()
 
 foreach(_name include_direction version_use no_output no_abort guards lengths tests_mirror_folders
         manual_is_complete)
-  add_source_test("source_${_name}" ${_check} ${_name})
+  add_source_test("source_${_name}" "" ${_check} ${_name})
 endforeach()
 
 # The other compiler has its say here: the build itself uses ${CMAKE_CXX_COMPILER}.
@@ -21,8 +29,6 @@ foreach(_folder ${CGAL_INCLUDE_DIRS} ${EIGEN3_INCLUDE_DIR} ${EIGEN3_INCLUDE_DIRS
     list(APPEND _options -isystem "${_folder}")
   endif()
 endforeach()
-
-add_source_test(source_exact_kernel ${_check} exact_kernel "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})
 
 # Not the examples: the build has compiled them, and they call what the benchmarks call.
 file(GLOB _users_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
@@ -58,10 +64,10 @@ function(includes_header source header result)
 endfunction()
 
 # a test that precompiles the lines
-function(precompile name lines)
+function(precompile name seen_first lines)
   string(REPLACE ";" "\n" _lines "${lines}\n")
   file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/${name}.h" "${_lines}")
-  add_source_test("precompile_${name}"
+  add_source_test("precompile_${name}" "${seen_first}"
     "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} -fpch-instantiate-templates -x c++-header
     "${CMAKE_CURRENT_BINARY_DIR}/${name}.h" -o "${CMAKE_CURRENT_BINARY_DIR}/${name}.pch")
   # the others wait for it
@@ -78,12 +84,12 @@ if(Hermite_diffuse_remeshing_CHECK_COMPILER MATCHES "clang")
     endif()
   endforeach()
   list(REMOVE_DUPLICATES _library_headers)
-  precompile(libraries "${_library_headers}")
-  precompile(libraries_and_model "${_library_headers};#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
-  precompile(libraries_and_mesh "${_library_headers};#include \"${PROJECT_SOURCE_DIR}/${_working_mesh}\"")
-  precompile(model "#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
-  precompile(remeshing "#include \"${PROJECT_SOURCE_DIR}/${_remeshing}\"")
-  precompile(tests "#include \"${PROJECT_SOURCE_DIR}/test/compiled_once.h\"")
+  precompile(libraries "" "${_library_headers}")
+  precompile(libraries_and_model libraries "#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
+  precompile(libraries_and_mesh libraries_and_model "#include \"${PROJECT_SOURCE_DIR}/${_working_mesh}\"")
+  precompile(model "" "#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
+  precompile(remeshing model "#include \"${PROJECT_SOURCE_DIR}/${_remeshing}\"")
+  precompile(tests remeshing "#include \"${PROJECT_SOURCE_DIR}/test/compiled_once.h\"")
 endif()
 
 foreach(_source ${_sources})
@@ -110,13 +116,9 @@ foreach(_source ${_sources})
     set(_precompiled libraries)
   endif()
 
-  set(_alone)
-  if(_precompiled AND TEST "precompile_${_precompiled}")
-    set(_alone -include-pch "${CMAKE_CURRENT_BINARY_DIR}/${_precompiled}.pch")
-  endif()
-  add_source_test("alone_${_name}"
-    ${_check} compiles "${_source}" "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options} ${_alone})
-  if(_alone)
-    set_tests_properties("alone_${_name}" PROPERTIES FIXTURES_REQUIRED "precompiled_${_precompiled}")
-  endif()
+  add_source_test("alone_${_name}" "${_precompiled}"
+    ${_check} compiles "${_source}" "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})
 endforeach()
+
+add_source_test(source_exact_kernel remeshing
+  ${_check} exact_kernel "${Hermite_diffuse_remeshing_CHECK_COMPILER}" ${_options})

@@ -71,6 +71,7 @@ while [ $# -gt 0 ]; do
       [ $# -ge 2 ] || { echo "--programs needs a list" >&2; exit 2; }
       read -ra programs <<< "$2"
       compile_once=OFF                  # pays for many
+      [ "$optimization" != -O2 ] || optimization=-O1    # the compiler takes longer than most of these run
       shift 2
       ;;
     --check-sources)

@@ -520,7 +520,7 @@ void test_deviations_of_faces(const Surface_mesh& input)
   PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.05).gradation(2.).maximum_displacement(0.)
                                       .maximum_deviation(bound).face_deviation_map(deviations));
   const CGAL::AABB_tree<Traits> facets(faces(input).begin(), faces(input).end(), input);
-  constexpr int n = 12;
+  constexpr int n = 8;
   std::size_t number_of_far = 0;
   for(const Surface_mesh::Face_index f : mesh.faces())
   {
