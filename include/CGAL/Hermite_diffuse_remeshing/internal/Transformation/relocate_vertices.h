@@ -118,6 +118,22 @@ std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
   });
 }
 
+// A search along a line: the values a step away from the best so far are offered to `take(value)`, which tells whether they
+// are better. Where neither is, the step is halved, until `is_short(step, best)`.
+template <typename IsShort, typename Take>
+void search_by_halving(double best, double step, const IsShort& is_short, const Take& take)
+{
+  while(!is_short(step, best))
+  {
+    const double center = best;
+    for(const double value : {center - step, center + step})
+      if(take(value))
+        best = value;
+    if(best == center)
+      step /= 2.;
+  }
+}
+
 // A site with less badness and no worse triangle on a curve, between two parameters, found from `start` on by steps that
 // are halved; `is_allowed(parameter)`.
 template <typename IsAllowed>
@@ -132,29 +148,21 @@ Site better_site_on_curve(const Reference& reference, const Site& start, const s
   const double last_step = star.objective() == Star::WORST ? 0.002 : 0.005;
   const double mean_length = (ends.second - ends.first) / 2.;
   Site best = start;
-  const auto shortest_step = [&]
-  { return last_step * (std::min)(best.parameter - ends.first, ends.second - best.parameter); };
   Star::Badness least = star.badness(best);
-  for(double step = first_step * mean_length; step > 0. && step >= shortest_step(); )
+  search_by_halving(start.parameter, first_step * mean_length, [&](const double step, const double s)
+  { return !(step > 0. && step >= last_step * (std::min)(s - ends.first, ends.second - s)); },
+  [&](const double s)
   {
-    const double center = best.parameter;
-    bool is_moved = false;
-    for(const double s : {center - step, center + step})
-    {
-      if(s <= ends.first || s >= ends.second)
-        continue;
-      const Site candidate = reference.curve_site(best.curve, s);
-      const Star::Badness b = star.badness(candidate);
-      if(b.sum < (1. - score_margin) * least.sum && b.worst.score >= least.worst.score - score_rounding && is_allowed(s))
-      {
-        least = b;
-        best = candidate;
-        is_moved = true;
-      }
-    }
-    if(!is_moved)
-      step /= 2.;
-  }
+    if(s <= ends.first || s >= ends.second)
+      return false;
+    const Site candidate = reference.curve_site(best.curve, s);
+    const Star::Badness b = star.badness(candidate);
+    if(!(b.sum < (1. - score_margin) * least.sum && b.worst.score >= least.worst.score - score_rounding && is_allowed(s)))
+      return false;
+    least = b;
+    best = candidate;
+    return true;
+  });
   return best;
 }
 

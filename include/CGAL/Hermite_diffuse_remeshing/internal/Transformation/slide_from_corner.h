@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/curve_fidelity.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/quality.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
 
 #include <array>
 #include <utility>
@@ -59,37 +60,30 @@ public:
     constexpr double first_step = 0.1, last_step = 0.005;
     // of the score: a longer triangle that is hardly better is not worth two moves
     constexpr double least_gain = 0.01;
-    double best = 1.;
     Worth result = before;
-    for(double step = first_step; step >= last_step; )
+    search_by_halving(1., first_step, [&](const double step, double) { return step < last_step; }, [&](const double factor)
     {
-      const double center = best;
-      for(const double factor : {center - step, center + step})
+      std::array<Site, 2> sites;
+      const auto is_allowed = [&](const int i)
       {
-        std::array<Site, 2> sites;
-        const auto is_allowed = [&](const int i)
-        {
-          const double parameter = origins[i] + factor * (parameters[i] - origins[i]);
-          const std::pair<double, double> bounds = neighbor_parameters(mesh, m_ends[i]);
-          if(parameter <= bounds.first || parameter >= bounds.second
-             || !is_curve_move_faithful(mesh, m_ends[i], parameter))
-            return false;
-          sites[i] = mesh.reference().curve_site(curves[i], parameter);
-          return factor < 1. || (sites[i].point - mesh.point(corner)).norm()
-                                  <= longest_length * (sites[i].size + mesh.size(corner)) / 2.;
-        };
-        if(!is_allowed(0) || !is_allowed(1))
-          continue;
-        const Worth worth = worth_at(mesh, sites);
-        if(!is_better(worth, result))
-          continue;
-        result = worth;
-        best = factor;
-        m_sites = sites;
-      }
-      if(best == center)
-        step /= 2.;
-    }
+        const double parameter = origins[i] + factor * (parameters[i] - origins[i]);
+        const std::pair<double, double> bounds = neighbor_parameters(mesh, m_ends[i]);
+        if(parameter <= bounds.first || parameter >= bounds.second
+           || !is_curve_move_faithful(mesh, m_ends[i], parameter))
+          return false;
+        sites[i] = mesh.reference().curve_site(curves[i], parameter);
+        return factor < 1. || (sites[i].point - mesh.point(corner)).norm()
+                                <= longest_length * (sites[i].size + mesh.size(corner)) / 2.;
+      };
+      if(!is_allowed(0) || !is_allowed(1))
+        return false;
+      const Worth worth = worth_at(mesh, sites);
+      if(!is_better(worth, result))
+        return false;
+      result = worth;
+      m_sites = sites;
+      return true;
+    });
     return result.score < (1. + least_gain) * before.score ? none : result;
   }
 

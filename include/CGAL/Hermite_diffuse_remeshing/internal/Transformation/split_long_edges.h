@@ -109,9 +109,6 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
                                            : after.score > before.score + score_margin;
 }
 
-// halve the longest edge from the model's diameter to its rounding
-constexpr int maximum_number_of_split_rounds = 48;
-
 // Splits the edges that are longer than `bound` times their size, or farther from their feature curve than `slack`
 // times what is allowed, each once, and only if `is_ready(halfedge)` when its turn comes. Only edges with changes around
 // them are looked at.
@@ -143,22 +140,31 @@ std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bou
   return split_long_edges_once(mesh, bound, since, order, slack, [](auto) { return true; });
 }
 
-// Edges that are still too long after that are met again in the next round. Lengths halve, so the rounds end.
+// Rounds of splits, `split_once(since)`, until one of them changes nothing. What could not be split, and has not changed
+// in the round before, is not tried again. Lengths halve, so the rounds end.
+template <typename UserMesh, typename SplitOnce>
+std::size_t split_in_rounds(Working_mesh<UserMesh>& mesh, std::size_t since, const SplitOnce& split_once)
+{
+  // halve the longest edge from the model's diameter to its rounding
+  constexpr int maximum_number_of_rounds = 48;
+  const std::size_t before = mesh.counts().splits;
+  for(int round = 0; round < maximum_number_of_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
+  {
+    const std::size_t number_of_changes = mesh.number_of_changes();
+    if(split_once(since) == 0)
+      break;
+    since = number_of_changes;
+  }
+  return mesh.counts().splits - before;
+}
+
+// Edges that are still too long after one round are met again in the next.
 template <typename UserMesh>
 std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
                              const double slack = 1.)
 {
-  const std::size_t before = mesh.counts().splits;
-  // what could not be split, and has not changed in the round before, is not tried again
-  std::size_t since_round = since;
-  for(int round = 0; round < maximum_number_of_split_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
-  {
-    const std::size_t number_of_changes = mesh.number_of_changes();
-    if(split_long_edges_once(mesh, bound, since_round, LONGEST_FIRST, slack) == 0)
-      break;
-    since_round = number_of_changes;
-  }
-  return mesh.counts().splits - before;
+  return split_in_rounds(mesh, since, [&](const std::size_t since_round)
+                         { return split_long_edges_once(mesh, bound, since_round, LONGEST_FIRST, slack); });
 }
 
 } // namespace internal

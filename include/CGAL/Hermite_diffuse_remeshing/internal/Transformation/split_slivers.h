@@ -83,18 +83,13 @@ std::size_t split_slivers(Working_mesh<UserMesh>& mesh, const double bound, cons
 {
   if(!is_of_slivers(mesh, bound))
     return 0;
-  const std::size_t before = mesh.counts().splits;
-  std::size_t since_round = 0;
-  for(int round = 0; round < maximum_number_of_split_rounds && !mesh.is_stopped() && !mesh.is_full(); ++round)
+  return split_in_rounds(mesh, 0, [&](const std::size_t since_round)
   {
     const std::size_t number_of_changes = mesh.number_of_changes();
     const std::size_t splits = split_long_edges_once(mesh, bound, since_round, LONGEST_FIRST, slack, [&](const auto h)
                                                      { return !is_middle_crowded(mesh, h); });
-    if(splits + flip_edges_by_score(mesh, number_of_changes) == 0)
-      break;
-    since_round = number_of_changes;
-  }
-  return mesh.counts().splits - before;
+    return splits + flip_edges_by_score(mesh, number_of_changes);
+  });
 }
 
 } // namespace internal
