@@ -66,7 +66,8 @@ class Deviation_meter
   // Of the height of the model over a face: a ridge that may rise by less is left to the part by which all deviations are
   // raised, and the face to its peak. What such ridges have been seen to add is 0.012 of the height.
   static constexpr double negligible_ridge = 0.02;
-  // Of what is expected at ridges: none has been seen to rise to more than 1.3 times as much.
+  // Of what is expected at ridges: none has been seen to rise to more than 1.3 times as much, but at folds, which the points
+  // of the model tell of.
   static constexpr double largest_rise = 1.5;
 
 public:
