@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Guarded_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/sort_free_elements.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <CGAL/assertions.h>
@@ -18,8 +19,10 @@
 
 #include <boost/container/static_vector.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -55,6 +58,7 @@ private:
   using Base::m_hint;
   using Base::m_vertices;
   using Base::m_places;
+  using Base::m_free_vertices;
   using Base::m_junctions;
   using Base::m_number_of_faces;
   using Base::m_changes;
@@ -110,7 +114,8 @@ public:
   bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }
   void report_progress(const double fraction) { m_user.visitor.progress(fraction); }
 
-  // Room for a number of faces that are remeshed: a mesh that grows face by face is copied again and again.
+  // Room for a number of faces that are remeshed: a mesh that grows face by face is copied again and again. What is made
+  // takes free places in their order.
   void make_room(const std::size_t number_of_faces)
   {
     if(number_of_faces <= m_number_of_faces)
@@ -122,6 +127,8 @@ public:
     m_vertices.reserve(m_vertices.size() + more_vertices);
     m_places.reserve(m_places.size() + more_vertices);
     Base::make_room_for_vertices(m_vertices.size() + more_vertices);
+    std::sort(m_free_vertices.begin(), m_free_vertices.end(), std::greater<int>());
+    sort_free_elements(tm);
   }
 
   // \name Operations
