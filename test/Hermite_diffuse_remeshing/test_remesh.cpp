@@ -9,8 +9,10 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -77,6 +79,47 @@ void test_search_of_near_faces()
   }
   std::cout << "  " << number_found << " found" << std::endl;
   assert(number_found > 5000);
+}
+
+// The places that elements leave are taken again in their order, whatever the order in which they were left.
+void test_free_elements()
+{
+  std::cout << "free elements" << std::endl;
+  const Surface_mesh torus = make_mesh<Surface_mesh>(analytic::Torus().mesh(800, 1));
+  for(const bool does_recycle : {true, false})
+  {
+    Surface_mesh mesh = torus;
+    constexpr unsigned int step = 101;
+    for(unsigned int i = 0; i < mesh.num_edges(); ++i)
+    {
+      const Surface_mesh::Edge_index e(step * i % mesh.num_edges());
+      if(!mesh.is_removed(e) && i % 3 == 0 && CGAL::Euler::does_satisfy_link_condition(e, mesh))
+        CGAL::Euler::collapse_edge(e, mesh);
+    }
+    mesh.set_recycle_garbage(does_recycle);
+    const auto numbers = [&]
+    { return std::array<unsigned int, 3>{{mesh.number_of_vertices(), mesh.number_of_edges(), mesh.number_of_faces()}}; };
+    const auto slots = [&] { return std::array<unsigned int, 3>{{mesh.num_vertices(), mesh.num_edges(), mesh.num_faces()}}; };
+    const auto numbers_before = numbers(), slots_before = slots();
+    assert(mesh.number_of_removed_faces() > 100);
+
+    HDR::internal::sort_free_elements(mesh);
+    assert(mesh.is_valid());
+    assert(numbers() == numbers_before && slots() == slots_before);
+    if(!does_recycle)
+      continue;
+    const auto are_taken_in_order = [](const std::size_t number, const auto& take)
+    {
+      std::vector<decltype(take())> taken;
+      while(taken.size() < number)
+        taken.push_back(take());
+      return std::is_sorted(taken.begin(), taken.end());
+    };
+    assert(are_taken_in_order(mesh.number_of_removed_vertices(), [&] { return mesh.add_vertex(); }));
+    assert(are_taken_in_order(mesh.number_of_removed_edges(), [&] { return mesh.edge(mesh.add_edge()); }));
+    assert(are_taken_in_order(mesh.number_of_removed_faces(), [&] { return mesh.add_face(); }));
+    assert(slots() == slots_before);
+  }
 }
 
 // However near to the end of its curve a vertex is, it gets to the middle in few steps.
@@ -859,6 +902,7 @@ int main(int argc, char** argv)
     return EXIT_SUCCESS;
 
   test_search_of_near_faces();
+  test_free_elements();
   test_steps_along_a_curve();
   test_real_mesh(CGAL::data_file_path("meshes/elephant.off"));
   test_real_mesh(CGAL::data_file_path("meshes/fandisk.off"));
