@@ -81,6 +81,57 @@ void test_search_of_near_faces()
   assert(number_found > 5000);
 }
 
+// Each vertex that has moved is told of once, where a box meets the ball that holds its faces or where they may be anywhere.
+void test_moves_in_balls()
+{
+  typedef HDR::internal::Bounding_box Box;
+  std::cout << "moves in balls" << std::endl;
+  constexpr int number_of_balls = 60, number_of_vertices = 300, number_of_rounds = 40;
+  analytic::Random random(7);
+  const auto random_box = [&]
+  {
+    const HDR::internal::Vector low(random(-1., 1.), random(-1., 1.), random(-1., 1.));
+    return Box(low, low).enlarged(std::pow(10., random(-3., -0.3)));
+  };
+  std::vector<Box> balls;
+  for(int i = 0; i < number_of_balls; ++i)
+    balls.push_back(random_box());
+  HDR::internal::Moved_vertices moved(1.);
+  std::vector<std::vector<int> > expected(number_of_balls + 1);       // by ball; the last ones are anywhere
+  std::size_t number_in_balls = 0;
+  for(int round = 0; round < number_of_rounds; ++round)
+  {
+    for(int v = 0; v < number_of_vertices; ++v)
+    {
+      const int ball = static_cast<int>(random(0., number_of_balls + 1.));
+      expected[ball].push_back(v);
+      if(ball == number_of_balls)
+        moved.add_anywhere(v);
+      else
+        moved.add(v, ball, balls[ball]);
+    }
+    const Box box = random_box();
+    std::vector<int> taken, wanted;
+    assert(moved.take(box, [&](const int v) { taken.push_back(v); return true; }));
+    for(int ball = 0; ball <= number_of_balls; ++ball)
+      if(ball == number_of_balls || balls[ball].meets(box))
+      {
+        number_in_balls += ball < number_of_balls ? expected[ball].size() : 0;
+        wanted.insert(wanted.end(), expected[ball].begin(), expected[ball].end());
+        expected[ball].clear();
+      }
+    std::sort(taken.begin(), taken.end());
+    std::sort(wanted.begin(), wanted.end());
+    assert(taken == wanted);
+  }
+  assert(number_in_balls > 0);          // otherwise nothing has been tested
+  // who does not want to hear more is told again
+  moved.add(1, 0, balls[0]);
+  assert(!moved.take(balls[0], [](int) { return false; }));
+  int number_of_calls = 0;
+  assert(moved.take(balls[0], [&](int) { ++number_of_calls; return true; }) && number_of_calls > 0);
+}
+
 // The places that elements leave are taken again in their order, whatever the order in which they were left.
 void test_free_elements()
 {
@@ -902,6 +953,7 @@ int main(int argc, char** argv)
     return EXIT_SUCCESS;
 
   test_search_of_near_faces();
+  test_moves_in_balls();
   test_free_elements();
   test_steps_along_a_curve();
   test_real_mesh(CGAL::data_file_path("meshes/elephant.off"));

@@ -18,6 +18,8 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_slivers.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 
@@ -82,6 +84,7 @@ protected:
         reason = STOPPED_BY_VISITOR;
     }
     update_hints();
+    CGAL_assertion(reason == STOPPED_BY_VISITOR || m_mesh.is_followed());
     return reason != STOPPED_BY_VISITOR && m_mesh.is_full() ? FACE_BUDGET : reason;
   }
 

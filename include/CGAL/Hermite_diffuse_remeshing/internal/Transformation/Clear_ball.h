@@ -73,6 +73,10 @@ struct Clear_ball
   }
 
   // \name Queries
+  bool is_spoiled() const { return radius == 0.; }
+
+  Bounding_box box() const { return Bounding_box(center, center).enlarged(radius); }
+
   // how far a point is from the outside, if it is inside
   double depth(const Vector& p) const { return (std::min)(radius - (p - center).norm(), half_height - height(p)); }
 

@@ -158,6 +158,8 @@ public:
     return cell;
   }
 
+  static const Bounding_box& box(const Face f, const Cell& cell) { return find(f, cell)->box; }
+
   // the face has moved within its cell
   static void set_box(const Face f, const Bounding_box& box, Cell& cell)
   {
@@ -181,7 +183,8 @@ public:
   }
 
 private:
-  static auto find(const Face f, Cell& cell)
+  template <typename Cell_of_face>
+  static auto find(const Face f, Cell_of_face& cell)
   {
     return std::find_if(cell.faces.begin(), cell.faces.end(), [f](const Boxed_face& boxed) { return boxed.face == f; });
   }

@@ -10,8 +10,8 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_GUARDED_MESH_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Clear_ball.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Followed_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Intersection_guard.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Sheet_search.h>
 
 #include <algorithm>
@@ -34,9 +34,9 @@ namespace internal {
 // on, whatever vertices come and go there: each vertex remembers the ball that it lies deepest in, and asks its
 // neighbours for theirs.
 template <typename UserMesh>
-class Guarded_mesh : public Mesh_elements<UserMesh>
+class Guarded_mesh : public Followed_mesh<UserMesh>
 {
-  typedef Mesh_elements<UserMesh> Base;
+  typedef Followed_mesh<UserMesh> Base;
 
 public:
   typedef typename Base::TriangleMesh TriangleMesh;
@@ -46,20 +46,12 @@ public:
   typedef typename Base::face_descriptor face_descriptor;
 
 private:
-  // what is known around a vertex
-  struct Surroundings
-  {
-    int ball = -1;
-    double bound = (std::numeric_limits<double>::infinity)();       // no ball around it has a larger radius
-    // how far it may be from where the guard has last been told that it is, and how far it is
-    double slack = 0., drift = 0.;
-    bool is_moved = false;              // the guard has still to be told of the faces around it
-  };
+  typedef typename Base::Surroundings Surroundings;
 
-  std::unique_ptr<Intersection_guard<TriangleMesh> > m_guard;       // null: intersections are not looked for
-  std::vector<Clear_ball> m_balls;
-  std::vector<Surroundings> m_surroundings;                         // by the number of the vertex
-  std::vector<int> m_moved;                                         // vertices that have moved, of which some are gone
+  using Base::m_guard;
+  using Base::m_balls;
+  using Base::m_surroundings;
+
   std::unique_ptr<Sheet_search<UserMesh> > m_search;
 
   // A search looks farther than asked for, as many times as far, so that its ball serves the neighbours too.
@@ -73,9 +65,6 @@ private:
   static constexpr double clearance = 1.25;
   // Of the height of what is to be done, and of its radius: a slice that is no higher would not serve the neighbours.
   static constexpr double headroom = 1.5, least_part_of_height = 0.05;
-  // Of the shortest edge around a vertex: it may move so far before the guard is told, which takes its faces for larger
-  // until then. Relocations are smaller as a rule.
-  static constexpr double part_of_slack = 0.1;
 
 public:
   using Base::tmesh;
@@ -89,28 +78,11 @@ public:
                const std::vector<face_descriptor>& faces_of_reference,
                const std::vector<char>& is_remeshed,
                const IsFrozen& is_edge_frozen, const bool is_guarded)
-    : Base(user, reference, faces_of_reference, is_remeshed, is_edge_frozen)
+    : Base(user, reference, faces_of_reference, is_remeshed, is_edge_frozen, is_guarded)
   {
-    if(!is_guarded)
-      return;
-    m_guard.reset(new Intersection_guard<TriangleMesh>(this->m_user.tmesh,
-                                                       model_diameter(reference.surface.triangles())));
-    m_search.reset(new Sheet_search<UserMesh>(*this, this->m_user.tmesh));
-    m_surroundings.resize(this->m_vertices.size());
-    std::size_t step = 0;
-    for(const vertex_descriptor v : vertices(tmesh()))
-      if(this->is_stopped_at(step++))
-        return;                         // no operation will ask the guard
-      else if(index(v) != -1)
-        m_surroundings[index(v)].slack = slack_of(v);
-    for(const face_descriptor f : faces(tmesh()))
-      if(this->is_stopped_at(step++))
-        return;
-      else
-        note(f);
+    if(is_guarded)
+      m_search.reset(new Sheet_search<UserMesh>(*this, this->m_user.tmesh));
   }
-
-  bool is_guarded() const { return m_guard != nullptr; }
 
   // Does an operation take place in a clear ball? `center`: a vertex at which it takes place, if nothing changes but
   // what is inside a contour; null otherwise.
@@ -135,104 +107,17 @@ public:
   // same, for who has looked for a clear ball already, with a guard
   bool is_allowed(const vertex_descriptor center, const Numbered_triangles& made, const Numbered_triangles& replaced)
   {
-    if(!note_moved() || !m_guard->allows(made, replaced, [this](const face_descriptor f) { return triangle(f); }))
+    Bounding_box box = Bounding_box::nothing();
+    for(const Numbered_triangles* const triangles : {&made, &replaced})
+      for(const Numbered_triangle& t : *triangles)
+        box.add(Bounding_box(t.points));
+    if(!Base::note_moved(box) || !m_guard->allows(made, replaced, [this](const face_descriptor f) { return triangle(f); }))
       return false;
     spoil_balls(made, center == Graph_traits::null_vertex());
     return true;
   }
 
-protected:
-  // \name Changes of faces
-  void note(const face_descriptor f)
-  {
-    if(!m_guard)
-      return;
-    const Numbered_triangle t = triangle(f);
-    double slack = 0.;
-    for(const int number : t.vertices)
-      slack = (std::max)(slack, m_surroundings[number].slack);
-    m_guard->note(f, Bounding_box(t.points).enlarged(slack));
-  }
-
-  // The guard is told when it is asked: many vertices have moved again until then.
-  void note_around(const vertex_descriptor v)
-  {
-    if(!m_guard || m_surroundings[index(v)].is_moved)
-      return;
-    m_surroundings[index(v)].is_moved = true;
-    m_moved.push_back(index(v));
-  }
-
-  // before faces around v are removed
-  void forget_around(const vertex_descriptor v)
-  {
-    if(m_guard)
-      visit_copies(v, [&](const vertex_descriptor copy)
-      {
-        for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
-          if(!CGAL::is_border(h, tmesh()))
-            m_guard->forget(face(h, tmesh()));
-      });
-  }
-
-  // \name Changes of vertices
-  void make_room_for_vertices(const std::size_t number)
-  {
-    if(m_guard)
-      m_surroundings.reserve(number);
-  }
-
-  // the vertex with the number is new
-  void forget_ball(const int number)
-  {
-    if(!m_guard)
-      return;
-    m_surroundings.resize(this->m_vertices.size());
-    m_surroundings[number] = Surroundings();
-  }
-
-  void move_ball(const int number, const double distance)
-  {
-    if(!m_guard)
-      return;
-    m_surroundings[number].bound += distance;
-    m_surroundings[number].drift += distance;
-  }
-
-  // nothing around v is new
-  void note_relocated(const vertex_descriptor v)
-  {
-    if(m_guard && !(m_surroundings[index(v)].drift <= m_surroundings[index(v)].slack))
-      note_around(v);
-  }
-
 private:
-  // Each face once, though all of its corners may have moved. After a stop, for which many that have moved do not let
-  // wait, nothing is allowed any more.
-  bool note_moved()
-  {
-    m_search->begin();
-    std::size_t step = 0;
-    for(const int number : m_moved)
-    {
-      if(this->is_stopped_at(step++))
-        return false;
-      m_surroundings[number].is_moved = false;
-      if(this->vertex(number) == Graph_traits::null_vertex())
-        continue;
-      m_surroundings[number].slack = slack_of(this->vertex(number));
-      m_surroundings[number].drift = 0.;
-      visit_copies(this->vertex(number), [&](const vertex_descriptor copy)
-      {
-        for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
-          if(!CGAL::is_border(h, tmesh()) && m_search->is_met_first(face(h, tmesh())))
-            note(face(h, tmesh()));
-      });
-    }
-    m_moved.clear();
-    return true;
-  }
-
   // A clear ball that holds v and the triangles, whose corners are no farther from v than the radius: the ball of v, one of
   // its neighbours, or a new one; -1 if there is none, or none worth a search. What is too close to the neighbours for a
   // ball will be too close to v.
@@ -254,26 +139,15 @@ private:
     return around.bound >= least_useful_ball * radius && search(v, radius, triangles) ? around.ball : -1;
   }
 
-  double slack_of(const vertex_descriptor v) const
-  {
-    double shortest = (std::numeric_limits<double>::infinity)();
-    visit_copies(v, [&](const vertex_descriptor copy)
-    {
-      for(const halfedge_descriptor h : CGAL::halfedges_around_target(copy, tmesh()))
-        shortest = (std::min)(shortest, this->length(h));
-    });
-    return std::isfinite(shortest) ? part_of_slack * shortest : 0.;
-  }
-
   // Looks for a ball around v, with the radius at least, which holds the corners. Faces are met as far as they hang
   // together; the ball ends at the nearest that turns from the others or lies above them, or at another sheet. Where no
   // ball was found beside, that of a thin sheet as a rule, the other one is looked for before faces farther away.
   template <typename Triangles>
   bool search(const vertex_descriptor v, const double radius, const std::initializer_list<const Triangles*> triangles)
   {
-    if(!note_moved())
-      return false;
     const double needed = clearance * radius;
+    if(!Base::note_moved(Bounding_box(point(v), point(v)).enlarged(reach_of_search * needed)))
+      return false;
     m_search->begin_at(v);
     Clear_ball ball = {point(v), m_search->axis(), 0., (std::numeric_limits<double>::infinity)()};
     ball.radius = (std::max)(needed, (std::min)(reach_of_search * needed, m_search->satisfying_reach()));
@@ -288,7 +162,7 @@ private:
     look_up_to(needed);
     if(ball.radius >= needed && std::isfinite(around.bound))
     {
-      const double reach = without_other_sheets(ball, needed, least_height()).radius;
+      const double reach = m_search->without_other_sheets(*m_guard, ball, needed, least_height()).radius;
       if(reach < needed)
         ball.radius = reach;
     }
@@ -300,7 +174,7 @@ private:
       ball.radius = m_search->simple_radius(ball.radius);
     }
     if(ball.radius >= needed)
-      ball = without_other_sheets(ball, ball.radius, least_height());
+      ball = m_search->without_other_sheets(*m_guard, ball, ball.radius, least_height());
     if(ball.radius < needed)
     {
       around.bound = ball.radius / clearance;
@@ -327,36 +201,6 @@ private:
       }
   }
 
-  // Up to a radius, the part of a ball without the faces that the search has not met: it ends before the nearest that
-  // leaves a slice of less than the height, and halfway to those farther above or below.
-  Clear_ball without_other_sheets(Clear_ball ball, double radius, const double least_height) const
-  {
-    struct Other { double distance, half_height; };
-    std::vector<Other> others;
-    const Vector reach = Vector::Constant(radius);
-    m_guard->visit_near(Bounding_box(ball.center - reach, ball.center + reach),
-                        [&](const face_descriptor f, const Bounding_box& box)
-    {
-      if(box.distance(ball.center) >= radius || m_search->has_met(f))
-        return true;
-      // without the slack of the guard's box, as the search measures it
-      const Numbered_triangle t = triangle(f);
-      const Other other = {Bounding_box(t.points).distance(ball.center), ball.least_height_of(t) / 2.};
-      if(other.distance >= radius)
-        return true;
-      if(other.half_height < least_height)
-        radius = other.distance;
-      else
-        others.push_back(other);
-      return true;
-    });
-    ball.radius = radius;
-    for(const Other& other : others)
-      if(other.distance < radius)
-        ball.half_height = (std::min)(ball.half_height, other.half_height);
-    return ball;
-  }
-
   // Triangles that turn from the axis end a ball for good; where a border moves, it has to be found again.
   void spoil_balls(const Numbered_triangles& made, const bool is_border_moved)
   {
@@ -374,7 +218,7 @@ private:
         if(number < 0)
           continue;
         const int ball = m_surroundings[number].ball;
-        if(!is_border_moved && (ball == -1 || m_balls[ball].radius == 0. || m_balls[ball].is_faced_by(t)))
+        if(!is_border_moved && (ball == -1 || m_balls[ball].is_spoiled() || m_balls[ball].is_faced_by(t)))
           continue;
         spoil(number);
         visit_copies(this->vertex(number), [&](const vertex_descriptor copy)

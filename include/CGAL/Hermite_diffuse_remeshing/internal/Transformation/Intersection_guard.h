@@ -72,6 +72,13 @@ public:
     put(m_cells, f, nullptr);
   }
 
+  // that the face is inside the box, and perhaps no more
+  bool knows(const face_descriptor f, const Bounding_box& box) const
+  {
+    const Cell* const cell = get(m_cells, f);
+    return cell != nullptr && Grid::box(f, *cell).holds(box);
+  }
+
   // calls `visit(face, its box)` for the faces whose boxes meet the box until it returns false
   template <typename Visit>
   bool visit_near(const Bounding_box& box, const Visit& visit) const { return m_grid.visit_near(box, visit); }

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_SHEET_SEARCH_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Clear_ball.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Intersection_guard.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Mesh_elements.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Normal_cone.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Sheet_outline.h>
@@ -47,7 +48,7 @@ private:
   Search_map m_last_search;                         // that has met the face: twice its number, and 1 more beyond
   std::size_t m_number_of_searches = 0;
   Vector m_center = Vector::Zero();
-  std::vector<Met_face> m_met, m_beyond, m_candidates;      // as far as it looks, and beyond
+  std::vector<Met_face> m_met, m_beyond;            // as far as it looks, and beyond
   std::size_t m_number_of_expanded = 0, m_number_in_cone = 0;       // of those that were met
   double m_limit = 0.;                              // of their distances
   bool m_do_all_face = true;                        // do they turn from no other?
@@ -71,18 +72,7 @@ public:
     , m_cone(Vector::UnitZ(), least_angle)
   {}
 
-  // no face has been met since
-  void begin() { ++m_number_of_searches; }
-
   bool has_met(const face_descriptor f) const { return get(m_last_search, f) / 2 == m_number_of_searches; }
-
-  bool is_met_first(const face_descriptor f)
-  {
-    if(has_met(f))
-      return false;
-    put(m_last_search, f, 2 * m_number_of_searches);
-    return true;
-  }
 
   const std::vector<Met_face>& met() const { return m_met; }
   const Vector& axis() const { return m_cone.axis(); }
@@ -109,11 +99,15 @@ public:
   // Meets the faces up to a distance; where they are too many, some are left out, and count as another sheet.
   void meet_up_to(const double limit)
   {
-    m_candidates.clear();
-    m_candidates.swap(m_beyond);
     m_limit = limit;
-    for(const Met_face& met : m_candidates)
-      enter(met);
+    const auto is_reached = [&](const Met_face& met)
+    {
+      const bool is_near = met.distance < limit;
+      if(is_near)
+        add_near(met);
+      return is_near;
+    };
+    m_beyond.erase(std::remove_if(m_beyond.begin(), m_beyond.end(), is_reached), m_beyond.end());
     const double largest_number = largest_excess_of_faces * satisfying_number_of_faces;
     for(; m_number_of_expanded < m_met.size() && double(m_met.size()) < largest_number; ++m_number_of_expanded)
     {
@@ -161,10 +155,40 @@ public:
     return m_view.simple_radius(m_cone.axis(), bound);
   }
 
+  // Up to a radius, the part of a ball without the faces that the search has not met, of which the guard knows: it ends
+  // before the nearest that leaves a slice of less than the height, and halfway to those farther above or below.
+  Clear_ball without_other_sheets(const Intersection_guard<TriangleMesh>& guard, Clear_ball ball, double radius,
+                                  const double least_height) const
+  {
+    struct Other { double distance, half_height; };
+    std::vector<Other> others;
+    guard.visit_near(Bounding_box(ball.center, ball.center).enlarged(radius),
+                     [&](const face_descriptor f, const Bounding_box& box)
+    {
+      if(box.distance(ball.center) >= radius || has_met(f))
+        return true;
+      // without the slack of the guard's box, as faces that were met are measured
+      const Numbered_triangle t = m_mesh.triangle(f);
+      const Other other = {Bounding_box(t.points).distance(ball.center), ball.least_height_of(t) / 2.};
+      if(other.distance >= radius)
+        return true;
+      if(other.half_height < least_height)
+        radius = other.distance;
+      else
+        others.push_back(other);
+      return true;
+    });
+    ball.radius = radius;
+    for(const Other& other : others)
+      if(other.distance < radius)
+        ball.half_height = (std::min)(ball.half_height, other.half_height);
+    return ball;
+  }
+
 private:
   void meet_around(const vertex_descriptor v)
   {
-    begin();
+    ++m_number_of_searches;
     m_met.clear();
     m_beyond.clear();
     m_number_of_expanded = 0;
@@ -193,12 +217,16 @@ private:
     return m_outline.is_simple();
   }
 
-  // a face that is met for the first time, or was met beyond the last limit
-  void enter(const Met_face& met)
+  void add_near(const Met_face& met)
   {
-    const bool is_near = met.distance < m_limit;
-    put(m_last_search, face(met.halfedge, m_mesh.tmesh()), 2 * m_number_of_searches + !is_near);
-    (is_near ? m_met : m_beyond).push_back(met);
+    put(m_last_search, face(met.halfedge, m_mesh.tmesh()), 2 * m_number_of_searches);
+    m_met.push_back(met);
+  }
+
+  void add_beyond(const Met_face& met)
+  {
+    put(m_last_search, face(met.halfedge, m_mesh.tmesh()), 2 * m_number_of_searches + 1);
+    m_beyond.push_back(met);
   }
 
   // the face of h, beside the corners k and k + 1 of another
@@ -211,7 +239,11 @@ private:
     const vertex_descriptor apex = target(next(h, tm), tm);
     const Numbered_triangle t = {{{beside.vertices[l], beside.vertices[k], m_mesh.index(apex)}},
                                  {{beside.points[l], beside.points[k], m_mesh.point(apex)}}};
-    enter({h, t, Bounding_box(t.points).distance(m_center)});
+    const double distance = Bounding_box(t.points).distance(m_center);
+    if(distance < m_limit)
+      add_near({h, t, distance});
+    else
+      add_beyond({h, t, distance});
   }
 };
 

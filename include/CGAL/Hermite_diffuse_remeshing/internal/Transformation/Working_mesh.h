@@ -161,8 +161,6 @@ public:
     move_ball(kept, (site.point - m_vertices[kept].site.point).norm());
     set_site(kept, site);
     vertex_descriptor v = target(h, tmesh());
-    forget_around(v);
-    forget_around(source(h, tmesh()));
     for(const halfedge_descriptor sibling : siblings(h))
     {
       const vertex_descriptor stayed = collapse_sibling(sibling, kept);
@@ -329,6 +327,7 @@ private:
       if(!CGAL::is_border(i == 0 ? h : o, tm))
       {
         --m_number_of_faces;
+        Base::forget(face(i == 0 ? h : o, tm));
         kept_edges.push_back({i == 0 ? target(at_target[i], tm) : source(at_target[i], tm),
                               get(m_edge, edge(at_target[i], tm))});
       }
