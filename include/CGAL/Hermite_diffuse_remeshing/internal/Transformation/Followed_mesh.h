@@ -45,11 +45,11 @@ protected:
   struct Surroundings
   {
     int ball = -1;                      // the clear ball that it lies deepest in
+    int ball_of_move = -1;              // where the faces around it are if it has moved; -1: anywhere
     double bound = (std::numeric_limits<double>::infinity)();       // no ball around it has a larger radius
     // how far it may be from where the guard has last been told that it is, and how far it is
     double slack = 0., drift = 0.;
-    bool is_moved = false;              // the guard has still to be told of the faces around it,
-    int ball_of_move = -1;              // which are in this ball; -1: they are anywhere
+    bool is_moved = false;              // the guard has still to be told of the faces around it
     bool is_told_of = false;            // just now
   };
 
@@ -85,13 +85,16 @@ public:
     m_guard.reset(new Intersection_guard<TriangleMesh>(this->m_user.tmesh, extent));
     m_moved.reset(new Moved_vertices(extent));
     m_surroundings.resize(this->m_vertices.size());
+    // The reference has an order of its own, in which what comes next is near. After a stop no operation will ask.
     std::size_t step = 0;
-    for(const vertex_descriptor v : vertices(tmesh()))
+    for(const face_descriptor f : faces_of_reference)
       if(this->is_stopped_at(step++))
-        return;                         // no operation will ask the guard
-      else if(index(v) != -1)
-        m_surroundings[index(v)].slack = slack_of(v);
-    for(const face_descriptor f : faces(tmesh()))
+        return;
+      else
+        for(const int number : triangle(f).vertices)
+          if(m_surroundings[number].slack == 0.)
+            m_surroundings[number].slack = slack_of(this->vertex(number));
+    for(const face_descriptor f : faces_of_reference)
       if(this->is_stopped_at(step++))
         return;
       else
