@@ -84,7 +84,6 @@ protected:
         reason = STOPPED_BY_VISITOR;
     }
     update_hints();
-    CGAL_assertion(reason == STOPPED_BY_VISITOR || m_mesh.is_followed());
     return reason != STOPPED_BY_VISITOR && m_mesh.is_full() ? FACE_BUDGET : reason;
   }
 
@@ -115,6 +114,7 @@ protected:
 
   void update_hints()
   {
+    CGAL_assertion(m_mesh.is_followed());
     since_last(m_hinted_at, [&](const std::size_t since) { m_mesh.update_hints(since); return 0; });
   }
 };

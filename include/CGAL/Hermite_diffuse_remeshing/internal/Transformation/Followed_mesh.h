@@ -60,6 +60,7 @@ protected:
 private:
   std::unique_ptr<Moved_vertices> m_moved;
   std::vector<int> m_told;                                          // numbers of vertices
+  bool m_is_begun = false;                                           // not if a stop came before
 
   // Of the shortest edge around a vertex: it may move so far before the guard is told, which takes its faces for larger
   // until then. Relocations are smaller as a rule.
@@ -99,6 +100,7 @@ public:
         return;
       else
         note(f);
+    m_is_begun = true;
   }
 
   bool is_guarded() const { return m_guard != nullptr; }
@@ -107,7 +109,7 @@ public:
   bool is_followed() const
   {
     const auto all = faces(tmesh());
-    return !m_guard || std::all_of(all.begin(), all.end(), [this](const face_descriptor f)
+    return !m_is_begun || std::all_of(all.begin(), all.end(), [this](const face_descriptor f)
     {
       const Numbered_triangle t = triangle(f);
       return m_guard->knows(f, Bounding_box(t.points))

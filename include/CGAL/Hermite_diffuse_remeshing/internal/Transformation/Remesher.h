@@ -19,8 +19,6 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/relocate_vertices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/split_long_edges.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cstddef>
 
@@ -102,9 +100,7 @@ public:
     // it has come back to what it has changed itself
     Base::m_hunted_at = m_mesh.number_of_changes();
     Base::update_hints();
-    const bool is_stopped = m_mesh.is_stopped();
-    CGAL_assertion(is_stopped || m_mesh.is_followed());
-    return is_stopped ? STOPPED_BY_VISITOR : reason;
+    return m_mesh.is_stopped() ? STOPPED_BY_VISITOR : reason;
   }
 
 private:
