@@ -224,8 +224,52 @@ void test_cube()
     assert(s.type == CGAL::Hermite_diffuse_remeshing::PLANE_SURFACE && s.number_of_faces == 2);
 }
 
+// A cylinder or a cone with lids, as CAD systems tessellate it: long facets between few rings of vertices, as few as two,
+// which would lie on a sphere, too.
+void test_tessellated(const double upper_radius, const double height, const int number_of_rings)
+{
+  using namespace CGAL::Hermite_diffuse_remeshing;
+  constexpr int columns = 48;
+  analytic::Random random(1);
+  analytic::Triangles t;
+  std::vector<Basic_surface_type> expected;
+  const auto at = [&](const int i, const int j) { return std::size_t(j * columns + i % columns); };
+  for(int j = 0; j < number_of_rings; ++j)
+    for(int i = 0; i < columns; ++i)
+    {
+      const double part = double(j) / (number_of_rings - 1), r = 1. + part * (upper_radius - 1.);
+      const double a = 2. * analytic::pi * i / columns;
+      t.points.push_back({{r * std::cos(a), r * std::sin(a), part * height}});
+    }
+  const std::size_t bottom = t.points.size(), top = bottom + 1;
+  t.points.push_back({{0., 0., 0.}});
+  t.points.push_back({{0., 0., height}});
+  for(int i = 0; i < columns; ++i)
+  {
+    for(int j = 1; j < number_of_rings; ++j)
+    {
+      t.add_quadrangle({{at(i, j - 1), at(i + 1, j - 1), at(i + 1, j), at(i, j)}}, random);
+      expected.insert(expected.end(), 2, upper_radius == 1. ? CYLINDER_SURFACE : CONE_SURFACE);
+    }
+    t.faces.push_back({{at(i + 1, 0), at(i, 0), bottom}});
+    t.faces.push_back({{at(i, number_of_rings - 1), at(i + 1, number_of_rings - 1), top}});
+    expected.insert(expected.end(), 2, PLANE_SURFACE);
+  }
+  Mesh mesh = make_mesh(t);
+  const Labels labels = classify(mesh);
+  const double part = right_part(mesh, labels, [&](const Mesh::Face_index f) { return expected[f]; });
+  if(part < 1. || labels.surfaces.size() != 3)
+    std::cerr << "tessellated, radius " << upper_radius << ", height " << height << ", " << number_of_rings << " rings: right on "
+              << part << " of the area, " << labels.surfaces.size() << " regions" << std::endl;
+  assert(part == 1. && labels.surfaces.size() == 3);
+}
+
 int main()
 {
+  for(const double upper_radius : {1., 0.7})
+    for(const double height : {0.1, 1., 4.})
+      for(const int number_of_rings : {2, 3, 5})
+        test_tessellated(upper_radius, height, number_of_rings);
   test_cube();
   test_whole_surfaces();
   test_fillets(48, 0.);

@@ -29,11 +29,12 @@ namespace Polygon_mesh_processing {
  *
  * splits a triangle mesh into connected regions that lie on planes, spheres, cylinders, cones and tori, and
  * the rest. Regions end at features and where the surface leaves the shape, even if it does so
- * tangentially, as between a face and its fillet. The simplest shape that fits is chosen.
+ * tangentially, as between a face and its fillet. Planes are looked for first, then cylinders, cones, spheres and tori:
+ * two rings of vertices, as a tessellated cylinder may have no others, lie on a sphere too.
  *
  * Meant for meshes whose vertices lie on the surfaces, such as tessellations of CAD models: a vertex
  * belongs to a curved surface if it is closer to it than a small part of the height of the
- * facets, 0.002 of the squared edge length times the curvature, or than `maximum_deviation`.
+ * facets, 0.004 of the square of the shortest edge around it times the curvature, or than `maximum_deviation`.
  *
  * Takes time proportional to the number of faces for each shape, but for a logarithmic factor.
  *

@@ -21,8 +21,19 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// First guesses of basic surfaces from points and estimated normals; refined afterwards. False if the
-// data do not have such a shape at all.
+// First guesses of basic surfaces from points, and from tangent planes, which may be those of other points; refined
+// afterwards. False if the data do not have such a shape at all.
+
+struct Tangent_planes
+{
+  std::vector<Vector> points, normals;
+
+  void add(const Vector& point, const Vector& normal)
+  {
+    points.push_back(point);
+    normals.push_back(normal);
+  }
+};
 
 inline Vector mean_point(const std::vector<Vector>& points)
 {
@@ -86,22 +97,23 @@ inline bool guess_circle(const std::vector<Vector>& points, Basic_shape& shape)
 }
 
 // the axis is normal to all normals; across it, a circle
-inline bool guess_cylinder(const std::vector<Vector>& points, const std::vector<Vector>& normals, Basic_shape& shape)
+inline bool guess_cylinder(const std::vector<Vector>& points, const Tangent_planes& planes, Basic_shape& shape)
 {
-  shape.direction = least_direction(normals, Vector::Zero());
+  shape.direction = least_direction(planes.normals, Vector::Zero());
   return guess_circle(points, shape);
 }
 
 // all tangent planes meet at the apex, and make the same angle with the axis
-inline bool guess_cone(const std::vector<Vector>& points, const std::vector<Vector>& normals, Basic_shape& shape)
+inline bool guess_cone(const std::vector<Vector>& points, const Tangent_planes& planes, Basic_shape& shape)
 {
+  const std::vector<Vector>& normals = planes.normals;
   const Vector origin = mean_point(points);
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   Vector rhs = Vector::Zero();
-  for(std::size_t i = 0; i < points.size(); ++i)
+  for(std::size_t i = 0; i < normals.size(); ++i)
   {
     matrix += normals[i] * normals[i].transpose();
-    rhs += (points[i] - origin).dot(normals[i]) * normals[i];
+    rhs += (planes.points[i] - origin).dot(normals[i]) * normals[i];
   }
   const Vector apex = matrix.ldlt().solve(rhs);
   if(!apex.allFinite())
@@ -122,22 +134,19 @@ inline bool guess_cone(const std::vector<Vector>& points, const std::vector<Vect
 
 // The centers of the tube, one radius of curvature below the points, lie on a circle. `curvature` is
 // that of the tube, as of `Principal_curvatures`.
-inline bool guess_torus(const std::vector<Vector>& points, const std::vector<Vector>& normals, const double curvature,
-                        Basic_shape& shape)
+inline bool guess_torus(const Tangent_planes& planes, const double curvature, Basic_shape& shape)
 {
   std::vector<Vector> centers;
-  for(std::size_t i = 0; i < points.size(); ++i)
-    centers.push_back(points[i] + normals[i] / curvature);
+  for(std::size_t i = 0; i < planes.points.size(); ++i)
+    centers.push_back(planes.points[i] + planes.normals[i] / curvature);
   shape.direction = least_direction(centers, mean_point(centers));
   shape.tube_radius = std::abs(1. / curvature);
   return guess_circle(centers, shape);
 }
 
-// A surface of the given type through points, with the node's own curvatures as a hint for the torus;
-// `hypothesis` is 0 or 1 there: which curvature is the tube's.
-inline bool fit_basic_shape(const Basic_surface_type type, const std::vector<Vector>& points,
-                            const std::vector<Vector>& normals, const Principal_curvatures& curvatures,
-                            const int hypothesis, Basic_shape& shape)
+// A surface of the given type through points; `tube_curvature`: of a torus
+inline bool fit_basic_shape(const Basic_surface_type type, const std::vector<Vector>& points, const Tangent_planes& planes,
+                            const double tube_curvature, Basic_shape& shape)
 {
   shape = Basic_shape();
   shape.type = type;
@@ -150,14 +159,11 @@ inline bool fit_basic_shape(const Basic_surface_type type, const std::vector<Vec
     case SPHERE_SURFACE:
       return guess_sphere(points, shape) && shape.refine(points);
     case CYLINDER_SURFACE:
-      return guess_cylinder(points, normals, shape) && shape.refine(points);
+      return guess_cylinder(points, planes, shape) && shape.refine(points);
     case CONE_SURFACE:
-      return guess_cone(points, normals, shape) && shape.refine(points);
+      return guess_cone(points, planes, shape) && shape.refine(points);
     case TORUS_SURFACE:
-    {
-      const double curvature = hypothesis == 0 ? curvatures.maximum : curvatures.minimum;
-      return curvature != 0. && guess_torus(points, normals, curvature, shape) && shape.refine(points);
-    }
+      return tube_curvature != 0. && guess_torus(planes, tube_curvature, shape) && shape.refine(points);
     default:
       return false;
   }

@@ -14,13 +14,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Splits a surface into regions that are basic surfaces, the simplest type first, and connected rests.
+// Splits a surface into regions that are basic surfaces, the types of which are tried one after the other, and connected
+// rests.
 // A region grows from the neighbourhood of a node, from face to face and never across a feature, as
 // long as the corners of the faces are on the shape, which is then fitted again to all of them.
 class Shape_recognizer
@@ -33,23 +35,40 @@ class Shape_recognizer
   std::vector<int> m_visit;                        // the growth that saw a face last
   int m_number_of_visits = 0;
   std::vector<Basic_shape> m_shapes;
+  std::vector<double> m_shortest_edges;            // around a node
 
-  // Part of h^2 k that a corner may be off a curved shape; the facets are off by an eighth. A surface
-  // that is tangent but differs in curvature by a hundredth is told apart at the first edge.
-  static constexpr double part_of_sagitta = 2e-3;
+  // Part of h^2 k that a corner may be off a curved shape; the facets are off by an eighth. A surface that is tangent but
+  // differs in curvature by a hundredth is told apart at the first edge. h: of the shortest edge around, since on a
+  // cylinder the long ones bend not at all.
+  static constexpr double part_of_sagitta = 4e-3;
 
 public:
   // `tolerance` is the distance that roundings of the coordinates make
   Shape_recognizer(const Reference_surface& surface, const double tolerance)
     : m_surface(surface), m_tolerance(tolerance), m_curvature(surface),
       m_neighborhood(surface.cut_mesh(), surface.nodes()),
-      m_region(surface.triangles().number_of_faces(), -1), m_visit(m_region.size(), 0)
-  {}
+      m_region(surface.triangles().number_of_faces(), -1), m_visit(m_region.size(), 0),
+      m_shortest_edges(surface.cut_mesh().number_of_nodes(), std::numeric_limits<double>::infinity())
+  {
+    const Indexed_triangles& triangles = surface.triangles();
+    for(int f = 0; f < triangles.number_of_faces(); ++f)
+      for(int k = 0; k < 3; ++k)
+      {
+        const double length = (triangles.point(f, next(k)) - triangles.point(f, k)).norm();
+        for(const int corner : {k, next(k)})
+        {
+          double& shortest = m_shortest_edges[surface.cut_mesh().node(f, corner)];
+          shortest = (std::min)(shortest, length);
+        }
+      }
+  }
 
   // fills `regions()` and `shapes()`
   void operator()()
   {
-    const Basic_surface_type types[] = {PLANE_SURFACE, SPHERE_SURFACE, CYLINDER_SURFACE, CONE_SURFACE, TORUS_SURFACE};
+    // The flattest first: two circles around an axis, as a tessellated cylinder has no others, lie on a cone, a sphere and
+    // a torus too. Its facets bend one way only.
+    const Basic_surface_type types[] = {PLANE_SURFACE, CYLINDER_SURFACE, CONE_SURFACE, SPHERE_SURFACE, TORUS_SURFACE};
     // two rings determine a shape better, one may be all there is on a narrow fillet
     for(const Basic_surface_type type : types)
       for(int i = 0; i < m_surface.cut_mesh().number_of_nodes(); ++i)
@@ -71,10 +90,9 @@ public:
 private:
   bool is_on(const Basic_shape& shape, const int node) const
   {
-    const Node& n = m_surface.node(node);
-    const double h = n.size;
-    return std::abs(shape.distance(n.position))
-        <= (std::max)(m_tolerance, part_of_sagitta * h * h * shape.curvature(n.position));
+    const Vector& p = m_surface.node(node).position;
+    const double h = m_shortest_edges[node];
+    return std::abs(shape.distance(p)) <= (std::max)(m_tolerance, part_of_sagitta * h * h * shape.curvature(p));
   }
 
   bool is_face_on(const Basic_shape& shape, const int f) const
@@ -96,29 +114,51 @@ private:
     if(!m_surface.node(node).has_normal())
       return;
     m_neighborhood.collect(node, rings);
-    std::vector<Vector> points(1, m_surface.node(node).position), normals(1, m_surface.node(node).normal);
     std::vector<int> nodes(1, node);
     for(const int j : m_neighborhood.neighbors())
       if(m_surface.node(j).has_normal())
-      {
         nodes.push_back(j);
-        points.push_back(m_surface.node(j).position);
-        normals.push_back(m_surface.node(j).normal);
-      }
+    std::vector<Vector> points;
+    for(const int i : nodes)
+      points.push_back(m_surface.node(i).position);
     Principal_curvatures curvatures;
     if(type == TORUS_SURFACE)
       curvatures = m_curvature(node).principal_curvatures();
-    for(int hypothesis = 0; hypothesis < (type == TORUS_SURFACE ? 2 : 1); ++hypothesis)
+    for(const bool is_first : {true, false})
     {
+      if(!is_first && (type == PLANE_SURFACE || type == SPHERE_SURFACE))
+        return;
+      // Of a torus, which curvature is the tube's? Of the others, are the normals of the nodes better known, or those of
+      // the facets, as along the few long ones of a cylinder or cone?
+      const bool are_facets_asked = !is_first && type != TORUS_SURFACE;
       Basic_shape shape;
-      if(!fit_basic_shape(type, points, normals, curvatures, hypothesis, shape)
-         || int(points.size()) < shape.degrees_of_freedom()
-         || !std::all_of(nodes.begin(), nodes.end(), [&](const int i) { return is_on(shape, i); })
-         || !is_face_on(shape, f))
-        continue;
-      if(accept(shape, f))
+      if(fit_basic_shape(type, points, are_facets_asked ? planes_of_facets(nodes) : planes_of_nodes(nodes),
+                         is_first ? curvatures.maximum : curvatures.minimum, shape)
+         && int(points.size()) >= shape.degrees_of_freedom()
+         && std::all_of(nodes.begin(), nodes.end(), [&](const int i) { return is_on(shape, i); })
+         && is_face_on(shape, f) && accept(shape, f))
         return;
     }
+  }
+
+  Tangent_planes planes_of_nodes(const std::vector<int>& nodes) const
+  {
+    Tangent_planes result;
+    for(const int i : nodes)
+      result.add(m_surface.node(i).position, m_surface.node(i).normal);
+    return result;
+  }
+
+  // of those that are in no region yet
+  Tangent_planes planes_of_facets(const std::vector<int>& nodes) const
+  {
+    const Indexed_triangles& triangles = m_surface.triangles();
+    Tangent_planes result;
+    for(const int i : nodes)
+      for(const int c : m_surface.cut_mesh().corners(i))
+        if(m_region[c / 3] == -1)
+          result.add(triangles.point(c / 3, 0), triangles.area_vector(c / 3).stableNormalized());
+    return result;
   }
 
   // grows and refits until nothing is added
