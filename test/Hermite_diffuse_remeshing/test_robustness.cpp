@@ -286,6 +286,99 @@ void test_face_cap()
   check_result(input, mesh);
 }
 
+// A stop before anything was changed: the maps tell where the vertices and faces are, and no bound counts as met.
+void test_early_stop()
+{
+  std::cout << "early stop" << std::endl;
+  Surface_mesh mesh = make_tent<Surface_mesh>();
+  typedef std::pair<std::size_t, std::array<double, 3> > Location;
+  const auto locations = mesh.add_property_map<Surface_mesh::Vertex_index, Location>("v:location").first;
+  const auto origins = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:origin").first;
+  // a variable of faces is not taken for the mesh
+  std::vector<Surface_mesh::Face_index> all_faces(faces(mesh).begin(), faces(mesh).end());
+  const auto report = PMP::hermite_diffuse_remesh(all_faces, mesh, params::maximum_deviation(1.)
+    .vertex_location_map(locations).face_origin_map(origins).maximum_running_time(1e-9));
+  assert(report.stop_reason == HDR::TIME_BUDGET && !report.is_maximum_deviation_met);
+  for(const auto f : faces(mesh))
+    assert(origins[f] == std::size_t(f));
+  for(const auto v : vertices(mesh))
+  {
+    const auto h = mesh.halfedge(all_faces[locations[v].first]);
+    const Surface_mesh::Vertex_index corners[3] = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+    for(int k = 0; k < 3; ++k)
+      assert(locations[v].second[k] == (corners[k] == v ? 1. : 0.));
+  }
+  assert(PMP::hermite_diffuse_remesh(all_faces, mesh).is_maximum_deviation_met);
+}
+
+// Where the faces that there may be do not do for the bound, they are shared out: no face is much farther than the others.
+void test_bound_beyond_face_cap()
+{
+  std::cout << "bound beyond the face cap" << std::endl;
+  const Surface_mesh input = read_data<Surface_mesh>("elephant.off");
+  Surface_mesh mesh = input;
+  const std::size_t cap = 8000;
+  const auto report =
+    PMP::hermite_diffuse_remesh(mesh, params::maximum_deviation(1e-4).maximum_number_of_faces(cap));
+  assert(report.stop_reason == HDR::FACE_BUDGET && !report.is_maximum_deviation_met && report.number_of_faces <= cap);
+  for(const HDR::Deviation_obstacle obstacle : report.deviation_obstacles)
+    assert(obstacle != HDR::DEVIATION_AT_SMALLEST_SIZE);
+  assert(report.size_conformity > 0.8 && report.smallest_quality > 0.3);
+  check_result(input, mesh);
+}
+
+// Rings of triangles around a vertical axis, at (radius, height).
+Surface_mesh make_rings(const int number_of_columns, const std::vector<std::array<double, 2> >& rings)
+{
+  analytic::Triangles t;
+  for(const std::array<double, 2>& ring : rings)
+    for(int i = 0; i < number_of_columns; ++i)
+    {
+      const double a = 2. * analytic::pi * i / number_of_columns;
+      t.points.push_back({{ring[0] * std::cos(a), ring[0] * std::sin(a), ring[1]}});
+    }
+  for(std::size_t j = 1; j < rings.size(); ++j)
+    for(int i = 0; i < number_of_columns; ++i)
+    {
+      const std::size_t first = (j - 1) * number_of_columns, a = first + i, b = first + (i + 1) % number_of_columns;
+      t.faces.push_back({{a, b, b + number_of_columns}});
+      t.faces.push_back({{a, b + number_of_columns, a + number_of_columns}});
+    }
+  return make_mesh<Surface_mesh>(t);
+}
+
+// equal needles all around, of which any collapse makes worse ones first
+void test_fine_cylinder()
+{
+  std::cout << "fine cylinder" << std::endl;
+  for(const int number_of_columns : {200, 400})
+  {
+    Surface_mesh mesh = make_rings(number_of_columns, {{{1., 0.}}, {{1., 1.}}});
+    const auto report = PMP::hermite_diffuse_remesh(mesh);
+    assert(double(report.number_of_faces) < 1.2 * report.predicted_number_of_faces);
+    assert(report.smallest_quality > 0.5 && report.mean_quality > 0.7);
+  }
+}
+
+// vertices of a degree that nothing may take the cube of
+void test_high_degree()
+{
+  std::cout << "high degree" << std::endl;
+  constexpr int degree = 500;
+  std::vector<std::array<double, 2> > rings;
+  for(int i = 3; i > 0; --i)
+    rings.push_back({{std::sin(0.3 * i), std::cos(0.3 * i)}});
+  Surface_mesh mesh = make_rings(degree, rings);
+  const Surface_mesh::Vertex_index pole = mesh.add_vertex(Point_3(0., 0., 1.));
+  for(int i = 0; i < degree; ++i)
+    mesh.add_face(Surface_mesh::Vertex_index(2 * degree + i), Surface_mesh::Vertex_index(2 * degree + (i + 1) % degree),
+                  pole);
+  const Surface_mesh input = mesh;
+  const auto report = PMP::hermite_diffuse_remesh(mesh);
+  assert(report.smallest_quality > 0.3);
+  check_result(input, mesh);
+}
+
 // Small sizes beside long edges that must stay: the faces there stay long too, and nothing cascades.
 void test_protected_long_edges()
 {
@@ -358,6 +451,10 @@ int main()
   test_failing_allocations<Polyhedron>(50);
   test_time_budget();
   test_face_cap();
+  test_early_stop();
+  test_bound_beyond_face_cap();
+  test_fine_cylinder();
+  test_high_degree();
   test_protected_long_edges();
   test_attributes();
   std::cout << "done" << std::endl;

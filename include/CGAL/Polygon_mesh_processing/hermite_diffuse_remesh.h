@@ -310,7 +310,13 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
  * remeshes all faces of a triangle mesh; same as the above with `faces(tmesh)`.
  */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh,
-          typename NamedParameters = parameters::Default_named_parameters>
+          typename NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          // a variable of a range of faces belongs to the other overload, with the mesh behind it
+          , typename = std::enable_if_t<
+              Hermite_diffuse_remeshing::internal::is_named_parameters<NamedParameters>::value>
+#endif
+          >
 Hermite_diffuse_remeshing::Remeshing_report<TriangleMesh>
 hermite_diffuse_remesh(TriangleMesh& tmesh, const NamedParameters& np = parameters::default_values())
 {

@@ -282,7 +282,6 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   const Quality_statistics quality = measure_quality(surface, [](int) { return true; });
   report.smallest_input_quality = report.smallest_quality = quality.smallest;
   report.mean_input_quality = report.mean_quality = quality.mean;
-  report.maximum_deviation = size_options.maximum_deviation;
   Supervisor_of_visitor<Mesh, std::remove_reference_t<Visitor_reference> > watched(visitor, report, maximum_running_time);
 
   typedef typename boost::property_map<Mesh, CGAL::vertex_point_t>::type VPM;

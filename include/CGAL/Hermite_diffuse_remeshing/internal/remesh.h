@@ -101,10 +101,10 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   Remeshing_report<TriangleMesh> report;
   describe_input(input, is_selected, report);
   const std::vector<Repair> repairs = plan_repairs(input, pack, is_remeshed, report);
-  report.maximum_deviation = size_options.maximum_deviation;
   Supervisor_of_visitor<TriangleMesh, std::remove_reference_t<Visitor_reference> >
     watched(visitor, report, maximum_running_time);
 
+  bool is_begun = false;
   const User_mesh_with_maps<TriangleMesh, VPM, ECM, FPM, GT> user(tmesh, watched, vpm, ecm, fpm, input.traits);
   run_stages<User_mesh<TriangleMesh> >(
     user, input.face_descriptors, input.side_marks, is_remeshed,
@@ -112,12 +112,15 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
     [&] { return read_model<ConcurrencyTag>(input, pack, watched.progress_of_stage()); },
     [&]
     {
+      is_begun = true;
       if(!repairs.empty())
         watched.stage("repair", [&] { carry_out_repairs(repairs, user, input); });
     },
     [&](const auto& mesh, const auto& deviations)
     { write_output_maps(mesh, deviations, input.face_descriptors, input.face_ranks, pack); },
     report);
+  if(!is_begun)
+    write_output_maps_of_input(input, pack);
   return report;
 }
 

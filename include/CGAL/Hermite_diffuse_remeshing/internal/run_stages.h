@@ -17,6 +17,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -61,6 +62,8 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
                 Remeshing_report<typename User::TriangleMesh>& report)
 {
   auto& watched = user.visitor;
+  report.maximum_deviation = options.sizes.maximum_deviation;
+  report.is_maximum_deviation_met = !std::isfinite(report.maximum_deviation);
   std::unique_ptr<Input_model> model;
   std::unique_ptr<Feature_displacements> displacements;
   std::unique_ptr<Size_map> sizes;
@@ -106,7 +109,7 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
     watched.stage("report", describe_result);
   if(watched.is_stopped())
     report.stop_reason = watched.stop_reason();
-  else if(mesh.is_full())
+  else if(mesh.is_full() || (deviations.is_bound_out_of_reach && !report.is_maximum_deviation_met))
     report.stop_reason = FACE_BUDGET;
   else if(!report.is_maximum_deviation_met)
     report.stop_reason = DEVIATION_NOT_MET;

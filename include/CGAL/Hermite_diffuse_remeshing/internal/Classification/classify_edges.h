@@ -99,6 +99,9 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
                                        const double sharp_angle,
                                        const EdgeMark& edge_mark)
 {
+  // In radians: what roundings of the coordinates, also to single precision, make of an angle. Whether the edges of a
+  // regular prism are sharp, which all have the angle that was asked for, is not for them to decide.
+  constexpr double rounding = 1e-5;
   std::vector<Edge_class> classes(edges.number_of_edges(), INTERIOR_EDGE);
   std::vector<char> may_be_sharp(edges.number_of_edges(), false);
   for(int e = 0; e < edges.number_of_edges(); ++e)
@@ -124,7 +127,7 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
     else if(mark == UNMARKED_EDGE)
     {
       may_be_sharp[e] = true;
-      if(dihedral_deviation(surface, s.face, t.face) > sharp_angle)
+      if(dihedral_deviation(surface, s.face, t.face) > sharp_angle + rounding)
         classes[e] = SHARP_EDGE;
     }
   }

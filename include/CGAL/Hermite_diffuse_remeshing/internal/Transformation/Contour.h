@@ -31,15 +31,21 @@ class Contour
   std::vector<vertex_descriptor> m_corners;
   Polygon_triangulation m_triangles;
 
+  // The best triangles of n corners take a time of O(n^3), and again after every change around. An edge between two
+  // vertices of high degree, twice of that up to which their edges are worth a search, has so many around it.
+  static constexpr std::size_t largest_number_of_corners = 48;
+
 public:
   void add(const vertex_descriptor v) { m_corners.push_back(v); }
   std::size_t size() const { return m_corners.size(); }
   vertex_descriptor corner(const std::size_t i) const { return m_corners[i]; }
 
   // Finds the best triangles. An edge outside the polygon may join two corners already: a diagonal would
-  // be a second one.
+  // be a second one. What is worth nothing is no offer: nor is a polygon with too many corners.
   Worth fill(const Mesh& mesh, const int hint)
   {
+    if(m_corners.size() > largest_number_of_corners)
+      return Worth{-1., 0.};
     const int n = static_cast<int>(m_corners.size());
     const auto is_free = [&](const int i, const int j)
     { return j - i == 1 || j - i == n - 1 || !mesh.are_joined(m_corners[i], m_corners[j]); };

@@ -50,6 +50,7 @@ struct Deviations
   double largest = 0., mean = 0.;       // the mean: of the faces'
   double model_distance = 0.;           // between the model and the facets of the reference
   Vector point_of_largest = Vector::Zero();
+  bool is_bound_out_of_reach = false;   // of as many faces as there may be
 
   // `distance`: measured between a point p and the location; -1 among the faces is none
   void add(const Vector& p, const double distance, const Location& location,

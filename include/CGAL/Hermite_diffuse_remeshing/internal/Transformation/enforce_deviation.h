@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -34,7 +35,9 @@ class Deviation_refiner
 
   Mesh& m_mesh;
   Size_map& m_sizes;
-  double m_maximum_deviation, m_limit;
+  double m_maximum_deviation;
+  double m_bound;                       // same, or what the number of faces allows
+  double m_limit;                       // above it faces are refined
   Refinement_attempts m_attempts;
 
   // The adaptation leaves edges up to twice as long as their sizes. A face with a longer one has not followed
@@ -48,30 +51,27 @@ class Deviation_refiner
 
 public:
   Deviation_refiner(Mesh& mesh, Size_map& sizes, const double maximum_deviation)
-    : m_mesh(mesh), m_sizes(sizes), m_maximum_deviation(maximum_deviation)
+    : m_mesh(mesh), m_sizes(sizes), m_maximum_deviation(maximum_deviation), m_bound(maximum_deviation)
     , m_limit(maximum_deviation)
   {}
 
-  bool is_exceeded(const Entry& entry) const { return entry.deviation > m_limit; }
+  // would it take more faces than there may be to meet the bound?
+  bool is_out_of_reach() const { return m_bound > m_maximum_deviation; }
 
-  // `part`: of the bound, above which faces are refined
-  void begin_round(const double part)
+  // Tells of all faces that deviate too much, by more than a part of the bound, what keeps them from being refined,
+  // DEVIATION_AFTER_STOP if nothing does. Returns the number of those that are to be refined in this round.
+  std::size_t begin_round(const double part, std::vector<Entry>& entries)
   {
-    m_limit = part * m_maximum_deviation;
+    m_bound = affordable_deviation(entries);
+    m_limit = part * m_bound;
     m_attempts.begin_round();
-  }
-
-  // Tells of all faces that deviate too much what keeps them from being refined, DEVIATION_AFTER_STOP if nothing does.
-  // Returns the number of those.
-  std::size_t find_obstacles(std::vector<Entry>& entries)
-  {
     std::size_t number = 0;
     for(Entry& entry : entries)
-      if(is_exceeded(entry))
+      if(entry.deviation > part * m_maximum_deviation)
       {
         m_mesh.give_up_if_stopped();
         entry.obstacle = obstacle(entry);
-        number += entry.obstacle == DEVIATION_AFTER_STOP;
+        number += is_to_be_refined(entry);
       }
     return number;
   }
@@ -86,11 +86,11 @@ public:
     const auto& tm = m_mesh.tmesh();
     for(const Entry& entry : entries)
     {
-      if(!is_exceeded(entry) || entry.obstacle != DEVIATION_AFTER_STOP)
+      if(!is_to_be_refined(entry))
         continue;
       const double longest = longest_edge(entry);
       const double factor = longest > longest_following_length * m_sizes(entry.location) ? reminder
-        : (std::max)(largest_step, aim * std::sqrt(m_maximum_deviation / entry.deviation));
+        : (std::max)(largest_step, aim * std::sqrt(m_bound / entry.deviation));
       const auto cap_at = [&](const Location& location, const double part)
       { caps.push_back(std::make_pair(location, part * (std::min)(longest, m_sizes(location)))); };
       cap_at(entry.location, factor);
@@ -112,6 +112,34 @@ public:
   }
 
 private:
+  bool is_to_be_refined(const Entry& entry) const
+  {
+    return entry.deviation > m_limit && entry.obstacle == DEVIATION_AFTER_STOP;
+  }
+
+  // The least deviation that all faces can have if there may be no more faces than the mesh may have, or the bound: a face
+  // that deviates by d takes d/b of those that deviate by b. With the bound itself, too many faces would be refined for
+  // nothing, and only some of them.
+  double affordable_deviation(const std::vector<Entry>& entries) const
+  {
+    std::vector<double> deviations;
+    for(const Entry& entry : entries)
+      if(entry.deviation > m_maximum_deviation)
+        deviations.push_back(entry.deviation);
+    std::sort(deviations.begin(), deviations.end(), std::greater<double>());
+    // with the k largest refined:
+    const double spare = double(m_mesh.maximum_number_of_faces()) - double(m_mesh.number_of_faces());
+    double sum = 0.;
+    for(std::size_t k = 1; k <= deviations.size(); ++k)
+    {
+      sum += deviations[k - 1];
+      const double number = spare + double(k), least = k < deviations.size() ? deviations[k] : m_maximum_deviation;
+      if(number > 0. && sum / number >= least)
+        return sum / number;
+    }
+    return m_maximum_deviation;
+  }
+
   double length_that_does(const Entry& entry, const double longest) const
   {
     return longest * std::sqrt(m_maximum_deviation / entry.deviation);
@@ -140,14 +168,15 @@ private:
     auto h = halfedge(entry.face, tm);
     for(int k = 1; k < 4; ++k, h = next(h, tm))
       reference_faces[k] = m_mesh.data(target(h, tm)).site.location.face;
-    const bool is_hopeless =
-      m_attempts.is_hopeless(reference_faces, entry.point, longest, entry.deviation, m_maximum_deviation);
+    const bool is_hopeless = entry.deviation > m_limit
+      && m_attempts.is_hopeless(reference_faces, entry.point, longest, entry.deviation, m_bound);
     return is_hopeless ? DEVIATION_AT_FOLD : DEVIATION_AFTER_STOP;
   }
 };
 
 // Lowers sizes where faces deviate too much, and adapts and measures again what that changes, until no face
-// deviates too much, or until none of those that do can be helped. Throws Interrupted on request.
+// deviates too much, or until none of those that do can be helped. Where the number of faces that there may be does not
+// allow that, they are used to make the largest deviation as small as they can. Throws Interrupted on request.
 template <typename UserMesh>
 Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& sizes, Remesher<UserMesh>& remesher,
                                        const double maximum_deviation, std::size_t& number_of_rounds)
@@ -175,11 +204,11 @@ Deviations<UserMesh> enforce_deviation(Working_mesh<UserMesh>& mesh, Size_map& s
   std::size_t coarse_rounds = 0, settlements = 0;
   for(bool is_finished = true; ; ++number_of_rounds)
   {
-    refiner.begin_round(settlements == 0 ? first_limit : last_limit);
-    const std::size_t number = refiner.find_obstacles(meter.deviations().faces);
+    const std::size_t number = refiner.begin_round(settlements == 0 ? first_limit : last_limit, meter.deviations().faces);
     const bool is_last = number == 0 || mesh.is_full() || number_of_rounds + 1 >= maximum_number_of_rounds
                       || settlements >= maximum_number_of_settlements;
     mesh.give_up_if_stopped();
+    meter.deviations().is_bound_out_of_reach = refiner.is_out_of_reach();
     if(is_last && is_finished)
       break;
     const std::size_t since = mesh.number_of_changes();

@@ -72,7 +72,8 @@ void fill_report(const Working_mesh<UserMesh>& mesh, const Deviations<UserMesh>&
   report.distance_of_model_from_input = deviations.model_distance;
   for(int i = 0; i < 3; ++i)
     report.point_of_largest_deviation[i] = deviations.point_of_largest[i];
-  report.is_maximum_deviation_met = report.is_deviation_measured && deviations.largest <= report.maximum_deviation;
+  report.is_maximum_deviation_met = !std::isfinite(report.maximum_deviation)
+                                 || (report.is_deviation_measured && deviations.largest <= report.maximum_deviation);
   for(const auto& entry : deviations.faces)
     if(entry.deviation > report.maximum_deviation)
     {
