@@ -61,7 +61,9 @@ public:
   typedef typename Geom_traits::FT FT;
   /// the point type of the traits
   typedef typename Geom_traits::Point_3 Point_3;
-  /// rank of a face of the mesh, at the time of the construction, and the barycentric coordinates in it
+  /// rank of a face in `faces(tmesh)` at the time of the construction, as in the `vertex_location_map` of
+  /// `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, and the barycentric coordinates in it. A descriptor,
+  /// even one that is a number, is no rank: the two differ where faces have been removed.
   typedef std::pair<std::size_t, std::array<FT, 3> > Face_location;
   /// @}
 

@@ -36,10 +36,12 @@ public:
   /// \name Stages
   /// @{
 
-  /// is called when a stage begins; `name` is the one under which the report gives its seconds.
+  /// is called when a stage begins; `name` is the one under which the report gives its seconds: "model", "size map",
+  /// "repair" where there is something to repair, "adaptation", "optimisation", "deviation" and "report".
   void stage_begins(const char* name);
 
-  /// is called during a stage with the part of it that is done, from 0 to 1 and never falling.
+  /// is called during a stage with the part of it that is done, from 0 to 1 and never falling; a stage may end before it
+  /// has reached 1.
   void progress(double fraction);
 
   /// is called when the stage ends.

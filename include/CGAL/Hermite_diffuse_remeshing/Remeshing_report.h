@@ -30,7 +30,8 @@ enum Stop_reason
 {
   CONVERGED,           ///< a whole pass found nothing left to change
   ITERATION_BOUND,     ///< `number_of_iterations` passes were made
-  FACE_BUDGET,         ///< the number of faces reached its cap
+  FACE_BUDGET,         ///< the number of faces reached its cap, or more were needed for `maximum_deviation`: whether this
+                       ///< was met all the same, `Remeshing_report::is_maximum_deviation_met` tells
   TIME_BUDGET,         ///< `maximum_running_time` was over
   DEVIATION_NOT_MET,   ///< some faces still deviate more than `maximum_deviation`, each for one of the reasons of
                        ///< `Deviation_obstacle`
@@ -216,7 +217,7 @@ struct Remeshing_report
   double distance_of_model_from_input = 0.;
   /// the bound that was asked for, infinite if there was none
   double maximum_deviation = std::numeric_limits<double>::infinity();
-  /// `true` if `largest_deviation` is at most `maximum_deviation`
+  /// `true` if there is no bound, or if the deviation was measured and `largest_deviation` is at most `maximum_deviation`
   bool is_maximum_deviation_met = true;
   /// rounds of smaller sizes that `maximum_deviation` made necessary
   std::size_t number_of_deviation_rounds = 0;
@@ -229,7 +230,8 @@ struct Remeshing_report
   /// \name Sizes
   /// @{
 
-  /// part of the edges with a length between half and twice the size asked for, in [0, 1]
+  /// part of the edges with a length between half and twice the size asked for, in [0, 1]; the sizes are those that
+  /// `maximum_deviation` has lowered
   double size_conformity = 0.;
   /// number of faces of the whole mesh that was expected from the sizes before anything was changed:
   /// the integral of \f$ 4/(\sqrt{3}\,L^2) \f$ over the remeshed part, and the faces of the rest

@@ -31,14 +31,18 @@ namespace Polygon_mesh_processing {
  * <em>Surface remeshing by local Hermite diffuse interpolation</em>, International Journal for
  * Numerical Methods in Engineering 49, 2000. Feature edges become cubic splines, and the vertices on
  * them lie on these. The mesh is changed in place by splits, collapses and flips of edges and by
- * relocations of vertices. Removed elements are only marked: no garbage is collected.
+ * relocations of vertices. No garbage is collected: where the mesh only marks removed elements, as `CGAL::Surface_mesh`
+ * does, new ones may take their places.
  *
  * Time is proportional to the number of faces of the input and of the result, but for a factor
  * logarithmic in the former. The result depends on the input and the parameters only, and
  * scaling, rotating or translating the input does the same to it.
  *
  * A chain of parameters must begin with one of this package's own (`approximation_error` and the
- * others that \cgal does not have), then takes these and those of \cgal in any order.
+ * others that \cgal does not have), then takes these and those of \cgal in any order. \cgal has
+ * `maximum_number_of_faces`, `maximum_running_time`, `do_self_intersection_tests`, `number_of_iterations`,
+ * `vertex_normal_map`, `visitor`, `protect_constraints`, `vertex_point_map`, `geom_traits` and the maps of constraints
+ * and patches.
  *
  * @tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`
  *         (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same, to the last bit,
@@ -58,7 +62,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDescription{relative error \f$ \varepsilon \f$ of an edge against an arc with the smallest
  *       radius of curvature \f$ R \f$; the edge length follows from
  *       \f$ \varepsilon = \frac{\xi^2}{8} \sqrt{1 + (1 - \xi^2/4)^{-2}},\ \xi = L/R \f$.
- *       0.01 means 26 edges on a circle. With 0 the curvature is not looked at.}
+ *       0.01 means 26 edges on a circle. With 0 the curvature is not looked at, unless there is a `maximum_deviation`:
+ *       `approximation_error(0).maximum_edge_length(l)` makes edges of one length.}
  *     \cgalParamType{`double`, a pure number, at least 0}
  *     \cgalParamDefault{`0.01`}
  *   \cgalParamNEnd
@@ -87,8 +92,10 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{maximum_deviation}
  *     \cgalParamDescription{largest distance between the result and the fitted surface, measured at vertices,
  *       middles of edges and centroids of faces of the result, and from points of the fitted surface and of its
- *       feature curves to the result. Where it is exceeded the sizes are lowered and the mesh is adapted again
- *       there, in at most 20 rounds. The report says whether it was met, and where it was not; and how far the fitted
+ *       feature curves to the result. Sizes are chosen for it from the curvature, as by another error law. Where it is
+ *       exceeded even so, they are lowered and the mesh is adapted again there, in at most 20 rounds. Where
+ *       `maximum_number_of_faces` does not do for it, the faces are shared out so that the largest deviation is as small
+ *       as they allow. The report says whether it was met, and where it was not; and how far the fitted
  *       surface is from the facets of the input.}
  *     \cgalParamType{`double`, a length, larger than 0}
  *     \cgalParamDefault{infinity}
@@ -115,9 +122,10 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{size_field}
  *     \cgalParamDescription{the user's own size; the smallest of it, the curvature's size and the upper bound is
- *       used. It is read before anything is changed: at the vertices of the mesh, and between them at
- *       places half a size apart or closer. A finer part of the field that is smaller than the
- *       elements around it may be overlooked if the field does not lead there gradually.}
+ *       used, or the lower bound if that is larger; alone with `approximation_error(0)`. It is read before
+ *       anything is changed: at the vertices of the mesh, and between them at places half a size apart or closer.
+ *       A finer part of the field that is smaller than the elements around it may be overlooked if the field
+ *       does not lead there gradually.}
  *     \cgalParamType{a model of `HermiteDiffuseSizeField`, for instance a function from `GeomTraits::Point_3`
  *       to `double`: a length larger than 0, infinite where there is no size}
  *     \cgalParamDefault{none}
@@ -130,7 +138,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`1.3`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{sharp_dihedral_angle}
- *     \cgalParamDescription{an edge is sharp if the normals of its two faces differ by more than this}
+ *     \cgalParamDescription{an edge is sharp if the normals of its two faces differ by more than this, by 1e-5
+ *       radians at least, which roundings may make}
  *     \cgalParamType{`double`, degrees in [0, 180]; 180 turns the detection off}
  *     \cgalParamDefault{`40`}
  *   \cgalParamNEnd
@@ -158,7 +167,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{protect_constraints}
  *     \cgalParamDescription{if `true`, the edges of `edge_is_constrained_map` stay exactly as they are:
  *       neither split, collapsed nor moved. The sizes around start from their lengths: smaller ones grow from
- *       them with the gradation, larger ones fall to what was asked for with a gradation of 2.}
+ *       them with the gradation, larger ones fall to what was asked for with a gradation of 2. Border edges that are
+ *       not marked there are sampled anew.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
@@ -192,7 +202,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`FITTED_NORMALS`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{surface_model}
- *     \cgalParamDescription{the preset of the model: the one described above, or the paper's own form}
+ *     \cgalParamDescription{the preset of the model: the one described above, or the paper's own form, the defaults of which
+ *       are a weight of 0.5 and `AREA_NORMALS`, and which has no degree but 2}
  *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Surface_model`}
  *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::CONTINUOUS_MODEL`}
  *   \cgalParamNEnd
@@ -239,7 +250,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{vertex_location_map}
  *     \cgalParamDescription{output: where a vertex lies on the input, as the rank of a face in `faces(tmesh)`
  *       before the call and barycentric coordinates with respect to `source(halfedge(f))`,
- *       `target(halfedge(f))` and the third vertex}
+ *       `target(halfedge(f))` and the third vertex. This and `face_origin_map` are also written if a stop came before
+ *       the mesh was changed, the other output maps are not then.}
  *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
  *       `std::pair<std::size_t, std::array<double, 3> >`}
  *     \cgalParamDefault{none}
@@ -262,7 +274,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_deviation_map}
- *     \cgalParamDescription{output: the largest distance to the fitted surface that was measured at a face}
+ *     \cgalParamDescription{output: the largest distance to the fitted surface that was measured at a face; not written for
+ *       faces that are not remeshed, nor after a stop}
  *     \cgalParamType{a model of `WritablePropertyMap` with key type `face_descriptor` and value type `double`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
