@@ -347,19 +347,6 @@ Surface_mesh make_rings(const int number_of_columns, const std::vector<std::arra
   return make_mesh<Surface_mesh>(t);
 }
 
-// equal needles all around, of which any collapse makes worse ones first
-void test_fine_cylinder()
-{
-  std::cout << "fine cylinder" << std::endl;
-  for(const int number_of_columns : {200, 400})
-  {
-    Surface_mesh mesh = make_rings(number_of_columns, {{{1., 0.}}, {{1., 1.}}});
-    const auto report = PMP::hermite_diffuse_remesh(mesh);
-    assert(double(report.number_of_faces) < 1.2 * report.predicted_number_of_faces);
-    assert(report.smallest_quality > 0.5 && report.mean_quality > 0.7);
-  }
-}
-
 // vertices of a degree that nothing may take the cube of
 void test_high_degree()
 {
@@ -453,7 +440,6 @@ int main()
   test_face_cap();
   test_early_stop();
   test_bound_beyond_face_cap();
-  test_fine_cylinder();
   test_high_degree();
   test_protected_long_edges();
   test_attributes();

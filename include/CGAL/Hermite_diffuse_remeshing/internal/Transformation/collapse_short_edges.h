@@ -147,19 +147,6 @@ struct Collapse
   bool is_legal() const { return choice < number_of_choices; }
 };
 
-// Equal needles side by side, as along a finely tessellated cylinder, all get a little worse with a collapse before they
-// get better: at an edge that is much too short, the worst score below the floor may fall by a part.
-template <typename Before>
-bool is_acceptable_after_collapse(const Worth& after, const Before& before, const bool is_much_too_short)
-{
-  constexpr double least_part_of_score = 0.7;
-  return is_acceptable(after, before, score_floor)
-      || (is_much_too_short && after.score > least_score && after.score >= least_part_of_score * before().score);
-}
-
-// of its size: as an edge that is to be halved twice is too long
-constexpr double much_too_short = 0.25;
-
 // The first legal choice from `first_choice` on for the edge of h, at the best place that is legal, if possible of the
 // source of h.
 template <typename UserMesh>
@@ -177,7 +164,6 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
     result.add(worth_around(mesh, target(h, mesh.tmesh())));
     return result;
   };
-  const bool is_much_too_short = mesh.relative_length(h) < much_too_short;
   // Nearly all edges that may not collapse are refused for the lengths around, which need not wait for the model's
   // middle: it is not so far from the chord's, nor its size from the mean.
   constexpr double clearly_too_long = 1.1;
@@ -198,7 +184,7 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
     for(const Site& site : collapse_sites(mesh, result.halfedge))
     {
       if(choice >= first_choice && are_edges_acceptable_after_collapse(mesh, result.halfedge, site, longest_length)
-         && is_acceptable_after_collapse(star.worth(site), worth_before, is_much_too_short))
+         && is_acceptable(star.worth(site), worth_before, score_floor))
       {
         result.choice = choice;
         result.site = site;

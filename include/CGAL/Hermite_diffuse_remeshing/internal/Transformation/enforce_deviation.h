@@ -62,16 +62,24 @@ public:
   // DEVIATION_AFTER_STOP if nothing does. Returns the number of those that are to be refined in this round.
   std::size_t begin_round(const double part, std::vector<Entry>& entries)
   {
+    for(Entry& entry : entries)
+      if(entry.deviation > part * m_maximum_deviation)
+      {
+        m_mesh.give_up_if_stopped();
+        entry.obstacle = lasting_obstacle(entry);
+      }
     m_bound = affordable_deviation(entries);
     m_limit = part * m_bound;
     m_attempts.begin_round();
     std::size_t number = 0;
     for(Entry& entry : entries)
-      if(entry.deviation > part * m_maximum_deviation)
+      if(is_to_be_refined(entry))
       {
         m_mesh.give_up_if_stopped();
-        entry.obstacle = obstacle(entry);
-        number += is_to_be_refined(entry);
+        if(is_hopeless(entry))
+          entry.obstacle = DEVIATION_AT_FOLD;
+        else
+          ++number;
       }
     return number;
   }
@@ -124,7 +132,7 @@ private:
   {
     std::vector<double> deviations;
     for(const Entry& entry : entries)
-      if(entry.deviation > m_maximum_deviation)
+      if(entry.deviation > m_maximum_deviation && entry.obstacle == DEVIATION_AFTER_STOP)
         deviations.push_back(entry.deviation);
     std::sort(deviations.begin(), deviations.end(), std::greater<double>());
     // with the k largest refined:
@@ -153,7 +161,8 @@ private:
     return longest;
   }
 
-  Deviation_obstacle obstacle(const Entry& entry)
+  // one that no number of faces helps; DEVIATION_AFTER_STOP if there is none
+  Deviation_obstacle lasting_obstacle(const Entry& entry) const
   {
     // The centroid of a face at such an edge is two thirds as far away, however small the face is; and the sizes
     // around start from the length of the edge.
@@ -163,14 +172,17 @@ private:
     const double sufficient_length = uncertainty_of_length * length_that_does(entry, longest);
     if((std::min)({sufficient_length, reminder * longest, reminder * size}) <= m_sizes.minimum_length())
       return DEVIATION_AT_SMALLEST_SIZE;
+    return DEVIATION_AFTER_STOP;
+  }
+
+  bool is_hopeless(const Entry& entry)
+  {
     const auto& tm = m_mesh.tmesh();
     std::array<int, 4> reference_faces = {{entry.location.face}};
     auto h = halfedge(entry.face, tm);
     for(int k = 1; k < 4; ++k, h = next(h, tm))
       reference_faces[k] = m_mesh.data(target(h, tm)).site.location.face;
-    const bool is_hopeless = entry.deviation > m_limit
-      && m_attempts.is_hopeless(reference_faces, entry.point, longest, entry.deviation, m_bound);
-    return is_hopeless ? DEVIATION_AT_FOLD : DEVIATION_AFTER_STOP;
+    return m_attempts.is_hopeless(reference_faces, entry.point, longest_edge(entry), entry.deviation, m_bound);
   }
 };
 
