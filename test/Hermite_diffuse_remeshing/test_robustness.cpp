@@ -311,7 +311,8 @@ void test_early_stop()
   assert(PMP::hermite_diffuse_remesh(all_faces, mesh).is_maximum_deviation_met);
 }
 
-// Where the faces that there may be do not do for the bound, they are shared out: no face is much farther than the others.
+// Where the faces that there may be do not do for the bound, they are shared out: edges keep to their sizes, and triangles
+// their shapes.
 void test_bound_beyond_face_cap()
 {
   std::cout << "bound beyond the face cap" << std::endl;

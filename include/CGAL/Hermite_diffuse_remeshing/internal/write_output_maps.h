@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <CGAL/property_map.h>
@@ -83,12 +84,10 @@ void write_output_maps_of_input(const InputMesh& input, const Pack& pack)
       put(get_parameter(pack, internal_np::face_origin_map), input.face_descriptors[f], input.face_ranks[f]);
     if constexpr(is_given<Pack, internal_np::vertex_location_map_t>())
       for(int k = 0; k < 3; ++k)
-      {
-        Barycentric corner = {{0., 0., 0.}};
-        corner[k] = 1.;
         put(get_parameter(pack, internal_np::vertex_location_map),
-            input.vertex_descriptors[input.triangles.triangles[f][k]], std::make_pair(input.face_ranks[f], corner));
-      }
+            input.vertex_descriptors[input.triangles.triangles[f][k]],
+            std::make_pair(input.face_ranks[f],
+                           Size_sources::location_of_corner(static_cast<int>(3 * f) + k).coordinates));
   }
 }
 
