@@ -9,7 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INTERPOLATION_WEIGHTS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INTERPOLATION_WEIGHTS_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Tangent_nodes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
 #include <boost/container/small_vector.hpp>
@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,7 +26,7 @@ namespace internal {
 
 // w_i of the paper's figure 5: the shape functions of the face applied to 1 at a corner and 1/2 at the nodes that share an
 // edge with it. w_i is in [0,1], and 1 at node i only. Which nodes have a weight on a face, and from which of its corners,
-// is found once for all queries, or again for each.
+// is found once for all queries, or again for each. Of a tangent node's neighbours only those on the line have one.
 class Interpolation_weights
 {
   // A node of a face of valences 6 is one of 12. Around a vertex with very many faces every one of them would have all the
@@ -46,11 +47,12 @@ class Interpolation_weights
   std::vector<int> m_nodes;
   std::vector<unsigned char> m_corners;
   std::vector<std::size_t> m_first;
+  Neighbors_on_lines m_on_lines;
 
 public:
   Interpolation_weights(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int number_of_faces,
-                        const Progress& progress)
-    : m_first(1, 0)
+                        Neighbors_on_lines on_lines, const Progress& progress)
+    : m_first(1, 0), m_on_lines(std::move(on_lines))
   {
     const std::size_t most = largest_total(cut_mesh, number_of_faces);
     m_nodes.reserve(most);
@@ -122,7 +124,14 @@ private:
     return result;
   }
 
-  static void collect(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int face, Influences& result)
+  // of a neighbour, where the node is a corner
+  bool has_influence(const std::vector<Node>& nodes, const int node, const int neighbor) const
+  {
+    return !nodes[node].is_tangent
+        || std::binary_search(m_on_lines.begin(), m_on_lines.end(), std::make_pair(node, neighbor));
+  }
+
+  void collect(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int face, Influences& result) const
   {
     result.resize(3);
     for(int k = 0; k < 3; ++k)
@@ -131,6 +140,8 @@ private:
       if(!nodes[cut_mesh.node(face, k)].is_singular)
         for(const int j : cut_mesh.ring(cut_mesh.node(face, k)))
         {
+          if(!has_influence(nodes, cut_mesh.node(face, k), j))
+            continue;
           auto found = std::find_if(result.begin(), result.end(), [j](const Influence& i) { return i.node == j; });
           if(found == result.end())
             found = result.insert(found, {j, no_corner});

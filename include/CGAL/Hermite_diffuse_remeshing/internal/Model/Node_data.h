@@ -30,6 +30,7 @@ struct Node
   Soft_degree soft_degree = CUBIC;
   bool is_singular = false;              // apex: a position only, no normal, no ring
   bool is_near_apex = false;             // singular, or next to a singular node
+  bool is_tangent = false;               // on a line where two pieces meet tangentially, see `Tangent_nodes`
 
   bool has_normal() const { return normal != Vector::Zero(); }
 
@@ -77,6 +78,12 @@ inline std::vector<Node> make_nodes(const Indexed_triangles& surface,
         nodes[j].is_near_apex = true;
     }
   return nodes;
+}
+
+// from 0 at `none` to 1 at `all`
+inline double ramp(const double value, const double none, const double all)
+{
+  return (std::min)(1., (std::max)(0., (value - none) / (all - none)));
 }
 
 // How much a node tells of another place, by the cosine of the angle between the normals. Around the tip of

@@ -66,7 +66,7 @@ struct Node_frame
 };
 
 // The nodes around a node, ring after ring. Singular ones are positions like others, but are not crossed:
-// what is on the other side of an apex tells nothing of this side. One object serves many nodes.
+// what is on the other side of an apex tells nothing of this side. Nor are tangent nodes. One object serves many nodes.
 class Node_neighborhood
 {
   const Cut_mesh& m_cut_mesh;
@@ -99,7 +99,8 @@ public:
   {
     const std::size_t end = m_neighbors.size();
     for(std::size_t i = m_first_of_last_ring; i < end; ++i)
-      add_ring_of(m_neighbors[i]);
+      if(!m_nodes[m_neighbors[i]].is_tangent)
+        add_ring_of(m_neighbors[i]);
     m_first_of_last_ring = end;
   }
 

@@ -114,10 +114,10 @@ public:
                     const Progress& progress = Progress())
     : m_triangles(std::move(triangles)), m_cut_mesh(std::move(cut_mesh)),
       m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)),
-      m_weights(m_cut_mesh, m_nodes, m_triangles.number_of_faces(), progress.part(0., 0.)), m_options(options)
+      m_weights(m_cut_mesh, m_nodes, m_triangles.number_of_faces(),
+                estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, options.is_parallel,
+                                      progress, m_nodes), progress.part(0., 0.)), m_options(options)
   {
-    estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, options.is_parallel, progress,
-                          m_nodes);
     if(!options.is_solved_at_centroids)
       return;
     m_options.combined_weight = 0.;     // the paper has none

@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Model_choices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Local_polynomial.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_neighborhood.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Tangent_nodes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <algorithm>
@@ -60,12 +61,6 @@ struct Fitted_normal
   Vector normal;
   double signal_over_noise;      // of the positions around, see `Normal_fitter::signal_over_noise()`
 };
-
-// from 0 at `none` to 1 at `all`
-inline double ramp(const double value, const double none, const double all)
-{
-  return (std::min)(1., (std::max)(0., (value - none) / (all - none)));
-}
 
 class Normal_fitter
 {
@@ -265,13 +260,50 @@ inline Vector given_normal(const std::vector<Vector>& vertex_normals, const Cut_
   return normal.dot(fan_normal) >= least_cosine ? normal : Vector(Vector::Zero());
 }
 
+// Sets the normals of tangent nodes, and fits those of the nodes near them anew, on their side of the lines alone.
+inline Neighbors_on_lines mend_normals_at_tangent_lines(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
+                                                        const std::vector<Vector>& max_normals,
+                                                        const std::vector<bool>& is_given, std::vector<Node>& nodes,
+                                                        std::vector<double>& signal_over_noise)
+{
+  const Tangent_nodes tangent_nodes(surface, cut_mesh, nodes, max_normals, is_given);
+  std::vector<bool> is_near(nodes.size(), false);
+  for(const int i : tangent_nodes.nodes())
+  {
+    nodes[i].is_tangent = true;
+    for(const int j : cut_mesh.ring(i))
+    {
+      is_near[j] = true;
+      for(const int k : cut_mesh.ring(j))
+        is_near[k] = true;
+    }
+  }
+  // An angle in radians. Beside a line the neighbours are on one side, and of few rows; where that turns a fit away
+  // from the Max normal, this is better.
+  constexpr double trusted_turn = 0.06, distrusted_turn = 0.12;
+  Normal_fitter fitter(cut_mesh, nodes, max_normals);
+  for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
+    if(nodes[i].has_normal() && !is_given[i])
+    {
+      nodes[i].normal = tangent_nodes.normal(i);
+      if(!is_near[i] || nodes[i].is_tangent)
+        continue;
+      const Fitted_normal fitted = fitter(i);
+      signal_over_noise[i] = fitted.signal_over_noise;
+      const double share = ramp((fitted.normal - max_normals[i]).norm(), distrusted_turn, trusted_turn);
+      nodes[i].normal = (share * fitted.normal + (1. - share) * max_normals[i]).normalized();
+    }
+  return tangent_nodes.neighbors_on_lines();
+}
+
 // Sets the normals of all nodes: those that the user knows, `vertex_normals`, which are unit vectors,
 // zero where there is none, and may be missing altogether; and estimates of the others. These are
 // always computed from the Max normals of all nodes, never from normals that were just updated: the
-// result does not depend on the order of the nodes.
-inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
-                                  const Normal_estimation estimation, const std::vector<Vector>& vertex_normals,
-                                  const bool is_parallel, const Progress& progress, std::vector<Node>& nodes)
+// result does not depend on the order of the nodes. Returns the neighbours that tangent nodes have on their lines.
+inline Neighbors_on_lines estimate_node_normals(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
+                                                const Normal_estimation estimation,
+                                                const std::vector<Vector>& vertex_normals, const bool is_parallel,
+                                                const Progress& progress, std::vector<Node>& nodes)
 {
   const int n = cut_mesh.number_of_nodes();
   std::vector<Vector> normals(n, Vector::Zero());
@@ -279,8 +311,12 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
     if(!nodes[i].is_singular)
       normals[i] = fan_normal(surface, cut_mesh, i, estimation == AREA_NORMALS);
 
+  std::vector<bool> is_given(n);
   for(int i = 0; i < n; ++i)
+  {
     nodes[i].normal = given_normal(vertex_normals, cut_mesh, i, normals[i]);
+    is_given[i] = nodes[i].has_normal();
+  }
 
   if(estimation == SMOOTH_NORMALS)
   {
@@ -304,6 +340,9 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
     };
   };
   for_each_index(n, is_parallel, make_worker, progress);
+  Neighbors_on_lines on_lines;
+  if(estimation == FITTED_NORMALS)
+    on_lines = mend_normals_at_tangent_lines(surface, cut_mesh, normals, is_given, nodes, signal_over_noise);
 
   // Combined equations remove the influence of terms of order four and amplify noise. A single ratio is
   // uncertain: the mean over the ring tells noise, 1.3, from meshes without, 4 on the coarsest.
@@ -315,6 +354,7 @@ inline void estimate_node_normals(const Indexed_triangles& surface, const Cut_me
       sum += signal_over_noise[j];
     nodes[i].combined_share = static_cast<float>(ramp(sum / (1 + cut_mesh.ring(i).size()), none, all));
   }
+  return on_lines;
 }
 
 } // namespace internal

@@ -1,0 +1,277 @@
+// Copyright (c) 2026 The Hermite Diffuse Remeshing authors. All rights reserved.
+//
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Hermite Diffuse Remeshing authors
+
+#ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TANGENT_NODES_H
+#define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TANGENT_NODES_H
+
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Hermite_diffuse_remeshing {
+namespace internal {
+
+// tangent nodes with those of their neighbours that are on the line, sorted; see `Tangent_nodes`
+typedef std::vector<std::pair<int, int> > Neighbors_on_lines;
+
+// Where a plane or a cylinder ends tangentially in a fillet, tessellations have large facets on one side and small ones
+// on the other. Normals that are estimated from both are turned by a part of the angle between small facets, and the
+// smooth surface bulges over the large ones by this angle times their length. Here the nodes on such lines are found.
+// Their normals are those of the large facets, and neither side tells anything of the other: of a
+// tangent node's neighbours those have an influence that are on the line.
+//
+// Lines are told from places where a smooth surface is merely meshed with different sizes: there the large facets
+// turn, too, and so do the normals at their other ends.
+class Tangent_nodes
+{
+  const Indexed_triangles& m_surface;
+  const Cut_mesh& m_cut_mesh;
+  const std::vector<Node>& m_nodes;                   // with estimates of the normals
+  const std::vector<Vector>& m_max_normals;
+  std::vector<Vector> m_normals;
+  std::vector<int> m_tangent;
+  Neighbors_on_lines m_on_lines;
+
+  // between edges of a node, or between rises of the surface over them: below the first one bulges over large facets
+  // are about those over small ones
+  static constexpr double least_ratio = 3.3, sure_ratio = 6.;
+  // of the area of the node's largest facet: from here on facets are large
+  static constexpr double large_part = 0.3;
+  // Of a turn: the large facets agree with each other if their normals differ by less than the first along it, and do
+  // not from the second on.
+  static constexpr double agreeing = 0.4, disagreeing = 0.8;
+
+  // What the large facets of a node say. Along the first of two directions of their plane they agree best.
+  struct Large_facets
+  {
+    int node;
+    Vector normal;
+    std::array<Vector, 2> directions;
+    std::vector<Vector> normals;
+    std::vector<int> neighbors, other_neighbors;      // of them, and of the small ones; both sorted
+  };
+
+  struct Candidate
+  {
+    Large_facets facets;
+    double suspicion;
+  };
+
+public:
+  // given normals stay
+  Tangent_nodes(const Indexed_triangles& surface, const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
+                const std::vector<Vector>& max_normals, const std::vector<bool>& is_given)
+    : m_surface(surface), m_cut_mesh(cut_mesh), m_nodes(nodes), m_max_normals(max_normals)
+  {
+    for(const Node& node : nodes)
+      m_normals.push_back(node.normal);
+    lean_on_large_facets(is_given);
+    for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
+      if(nodes[i].has_normal() && has_edges_of_different_lengths(i))
+      {
+        const Large_facets facets = large_facets(i);
+        if(!is_tangent(facets))
+          continue;
+        m_tangent.push_back(i);
+        for(const int j : facets.neighbors)
+          if(std::binary_search(facets.other_neighbors.begin(), facets.other_neighbors.end(), j))
+            m_on_lines.emplace_back(i, j);
+      }
+  }
+
+  const Vector& normal(const int node) const { return m_normals[node]; }
+  const std::vector<int>& nodes() const { return m_tangent; }
+  // those that belong to large facets and to small ones
+  const Neighbors_on_lines& neighbors_on_lines() const { return m_on_lines; }
+
+private:
+  const Vector& position(const int node) const { return m_nodes[node].position; }
+  // Fits look far, and err on both sides of a line; Max's normals are good where facets are regular.
+  const Vector& neighbor_normal(const int node) const
+  { return (m_normals[node] == m_nodes[node].normal ? m_max_normals : m_normals)[node]; }
+  double area(const int corner) const { return m_surface.area_vector(corner / 3).norm(); }
+
+  // Jacobi's sweeps: the nodes at both ends of a facet wait for each other
+  void lean_on_large_facets(const std::vector<bool>& is_given)
+  {
+    std::vector<Candidate> candidates;
+    for(int i = 0; i < m_cut_mesh.number_of_nodes(); ++i)
+    {
+      const double suspicion = m_nodes[i].has_normal() && !is_given[i] ? excess_of_rise(i) : 0.;
+      if(suspicion > 0.)
+        candidates.push_back({large_facets(i), suspicion});
+    }
+    std::vector<Vector> normals;
+    for(const Candidate& candidate : candidates)
+      normals.push_back(blended(candidate, true));
+    constexpr int number_of_sweeps = 3;
+    for(int sweep = 0; sweep <= number_of_sweeps; ++sweep)
+    {
+      for(std::size_t k = 0; k < candidates.size(); ++k)
+        m_normals[candidates[k].facets.node] = normals[k];
+      for(std::size_t k = 0; k < candidates.size(); ++k)
+        normals[k] = blended(candidates[k], false);
+    }
+  }
+
+  // From 0 to 1: does the surface rise over the long edges of the node by more than over its short ones?
+  double excess_of_rise(const int i) const
+  {
+    double largest = 0., curvature = 0., sum = 0.;
+    for(const int j : m_cut_mesh.ring(i))
+    {
+      const Vector d = position(j) - position(i);
+      const double squared_length = d.squaredNorm(), rise = std::abs(m_nodes[i].normal.dot(d));
+      if(!(squared_length > 0.))
+        return 0.;
+      largest = (std::max)(largest, rise);
+      curvature = (std::max)(curvature, rise / squared_length);
+      sum += 1. / squared_length;
+    }
+    const double usual = curvature * m_cut_mesh.ring(i).size() / sum;
+    return usual > 0. ? ramp(largest / usual, least_ratio, sure_ratio) : 0.;
+  }
+
+  bool has_edges_of_different_lengths(const int i) const
+  {
+    double shortest = std::numeric_limits<double>::infinity(), longest = 0.;
+    for(const int j : m_cut_mesh.ring(i))
+    {
+      const double length = (position(j) - position(i)).norm();
+      shortest = (std::min)(shortest, length);
+      longest = (std::max)(longest, length);
+    }
+    return longest > least_ratio * shortest;
+  }
+
+  Large_facets large_facets(const int i) const
+  {
+    Large_facets result = {i, m_nodes[i].normal, {}, {}, {}, {}};
+    double largest = 0.;
+    for(const int c : m_cut_mesh.corners(i))
+      largest = (std::max)(largest, area(c));
+    // Max's weights times the third power of the area: those of long facets of a cylinder balance, and strips along the
+    // sides of a plane count little
+    Vector sum = Vector::Zero();
+    for(const int c : m_cut_mesh.corners(i))
+    {
+      const Vector u = m_surface.point(c / 3, next(c % 3)) - position(i);
+      const Vector v = m_surface.point(c / 3, previous(c % 3)) - position(i);
+      const double product = u.squaredNorm() * v.squaredNorm(), part = area(c) / largest;
+      if(product > 0.)
+        sum += part * part * part / product * u.cross(v);
+      const bool is_large = part >= large_part;
+      if(is_large)
+        result.normals.push_back(u.cross(v).normalized());
+      for(const int k : {next(c % 3), previous(c % 3)})
+        (is_large ? result.neighbors : result.other_neighbors).push_back(m_cut_mesh.node(c / 3, k));
+    }
+    if(sum.norm() > 0.)
+      result.normal = sum.normalized();
+    std::sort(result.neighbors.begin(), result.neighbors.end());
+    result.neighbors.erase(std::unique(result.neighbors.begin(), result.neighbors.end()), result.neighbors.end());
+    std::sort(result.other_neighbors.begin(), result.other_neighbors.end());
+
+    const Vector x = any_normal(result.normal), y = result.normal.cross(x);
+    double xx = 0., xy = 0., yy = 0.;
+    for(const Vector& n : result.normals)
+    {
+      xx += n.dot(x) * n.dot(x);
+      xy += n.dot(x) * n.dot(y);
+      yy += n.dot(y) * n.dot(y);
+    }
+    const double angle = 0.5 * std::atan2(2. * xy, xx - yy);
+    result.directions[1] = std::cos(angle) * x + std::sin(angle) * y;
+    result.directions[0] = result.normal.cross(result.directions[1]);
+    return result;
+  }
+
+  // along one of the two directions, between a normal at the node and those of the large facets
+  static double spread(const Large_facets& facets, const Vector& normal, const Vector& direction)
+  {
+    double result = 0.;
+    for(const Vector& n : facets.normals)
+      result = (std::max)(result, std::abs(direction.dot(n - normal)));
+    return result;
+  }
+
+  // and those at their other ends
+  double spread_at_ends(const Large_facets& facets, const Vector& normal, const Vector& direction) const
+  {
+    double result = 0.;
+    for(const int j : facets.neighbors)
+      if(m_nodes[j].has_normal())
+        result = (std::max)(result, (std::min)(std::abs(direction.dot(m_normals[j] - normal)),
+                                               std::abs(direction.dot(m_max_normals[j] - normal))));
+    return result;
+  }
+
+  Vector blended(const Candidate& candidate, const bool is_first) const
+  {
+    const Large_facets& facets = candidate.facets;
+    const Vector estimate = m_nodes[facets.node].normal, turn = facets.normal - estimate;
+    Vector result = estimate;
+    for(const Vector& direction : facets.directions)
+    {
+      const Vector part = turn.dot(direction) * direction;
+      const double length = part.norm();
+      if(!(length > 0.))
+        continue;
+      double share = candidate.suspicion * ramp(spread(facets, facets.normal, direction) / length, disagreeing, agreeing);
+      if(!is_first)
+        share *= fitting_share(facets.node, part)
+               * ramp(spread_at_ends(facets, facets.normal, direction) / length, disagreeing, agreeing);
+      result += share * part;
+    }
+    return result.normalized();
+  }
+
+  // The chord of an arc makes the same angle with the normals at both ends. By how much of `turn` must the normal be
+  // turned to fit all chords to the neighbours best, least squares of the angles?
+  double fitting_share(const int i, const Vector& turn) const
+  {
+    double product = 0., square = 0.;
+    for(const int j : m_cut_mesh.ring(i))
+      if(m_nodes[j].has_normal())
+      {
+        const Vector d = (position(j) - position(i)).normalized();
+        product -= turn.dot(d) * (m_nodes[i].normal.dot(d) + neighbor_normal(j).dot(d));
+        square += turn.dot(d) * turn.dot(d);
+      }
+    return square > 0. ? ramp(product / square, 0.4, 0.7) : 0.;
+  }
+
+  // Do the large facets agree along a direction in which the small ones turn away, along arcs that begin here?
+  bool is_tangent(const Large_facets& facets) const
+  {
+    const Vector& normal = m_normals[facets.node];
+    for(const Vector& direction : facets.directions)
+    {
+      double turn = 0.;
+      for(const int j : facets.other_neighbors)
+        if(m_nodes[j].has_normal())
+          turn = (std::max)(turn, std::abs(direction.dot(neighbor_normal(j) - normal)));
+      if((std::max)(spread(facets, normal, direction), spread_at_ends(facets, normal, direction)) < agreeing * turn)
+        return true;
+    }
+    return false;
+  }
+};
+
+} // namespace internal
+} // namespace Hermite_diffuse_remeshing
+} // namespace CGAL
+
+#endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TANGENT_NODES_H
