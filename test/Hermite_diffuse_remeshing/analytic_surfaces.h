@@ -44,6 +44,37 @@ struct Triangles
   }
 };
 
+// Rings of triangles around the z axis through points (radius, height), from below outwards and up; with a radius of zero
+// there is one vertex on the axis.
+inline Triangles surface_of_revolution(const int number_of_columns, const std::vector<std::array<double, 2> >& profile,
+                                       Random& random)
+{
+  Triangles t;
+  std::vector<std::size_t> first;
+  for(const std::array<double, 2>& ring : profile)
+  {
+    first.push_back(t.points.size());
+    for(int i = 0; i < (ring[0] > 0. ? number_of_columns : 1); ++i)
+    {
+      const double a = 2. * pi * i / number_of_columns;
+      t.points.push_back({{ring[0] * std::cos(a), ring[0] * std::sin(a), ring[1]}});
+    }
+  }
+  for(std::size_t j = 1; j < profile.size(); ++j)
+    for(int i = 0; i < number_of_columns; ++i)
+    {
+      const auto at = [&](const std::size_t ring, const int column)
+      { return profile[ring][0] > 0. ? first[ring] + column % number_of_columns : first[ring]; };
+      if(!(profile[j-1][0] > 0.))
+        t.faces.push_back({{at(j - 1, i), at(j, i + 1), at(j, i)}});
+      else if(!(profile[j][0] > 0.))
+        t.faces.push_back({{at(j - 1, i), at(j - 1, i + 1), at(j, i)}});
+      else
+        t.add_quadrangle({{at(j - 1, i), at(j - 1, i + 1), at(j, i + 1), at(j, i)}}, random);
+    }
+  return t;
+}
+
 // A grid over [0,1]^2, nu by nv cells, with jittered inner vertices and random diagonals, mapped by
 // `surface(u,v)`; periodic directions are closed.
 template <typename Surface>

@@ -231,30 +231,18 @@ void test_tessellated(const double upper_radius, const double height, const int 
   using namespace CGAL::Hermite_diffuse_remeshing;
   constexpr int columns = 48;
   analytic::Random random(1);
-  analytic::Triangles t;
-  std::vector<Basic_surface_type> expected;
-  const auto at = [&](const int i, const int j) { return std::size_t(j * columns + i % columns); };
+  std::vector<std::array<double, 2> > profile(1, {{0., 0.}});
+  std::vector<Basic_surface_type> expected(columns, PLANE_SURFACE);
   for(int j = 0; j < number_of_rings; ++j)
-    for(int i = 0; i < columns; ++i)
-    {
-      const double part = double(j) / (number_of_rings - 1), r = 1. + part * (upper_radius - 1.);
-      const double a = 2. * analytic::pi * i / columns;
-      t.points.push_back({{r * std::cos(a), r * std::sin(a), part * height}});
-    }
-  const std::size_t bottom = t.points.size(), top = bottom + 1;
-  t.points.push_back({{0., 0., 0.}});
-  t.points.push_back({{0., 0., height}});
-  for(int i = 0; i < columns; ++i)
   {
-    for(int j = 1; j < number_of_rings; ++j)
-    {
-      t.add_quadrangle({{at(i, j - 1), at(i + 1, j - 1), at(i + 1, j), at(i, j)}}, random);
-      expected.insert(expected.end(), 2, upper_radius == 1. ? CYLINDER_SURFACE : CONE_SURFACE);
-    }
-    t.faces.push_back({{at(i + 1, 0), at(i, 0), bottom}});
-    t.faces.push_back({{at(i, number_of_rings - 1), at(i + 1, number_of_rings - 1), top}});
-    expected.insert(expected.end(), 2, PLANE_SURFACE);
+    const double part = double(j) / (number_of_rings - 1);
+    profile.push_back({{1. + part * (upper_radius - 1.), part * height}});
+    if(j > 0)
+      expected.insert(expected.end(), 2 * columns, upper_radius == 1. ? CYLINDER_SURFACE : CONE_SURFACE);
   }
+  profile.push_back({{0., height}});
+  expected.insert(expected.end(), columns, PLANE_SURFACE);
+  const analytic::Triangles t = analytic::surface_of_revolution(columns, profile, random);
   Mesh mesh = make_mesh(t);
   const Labels labels = classify(mesh);
   const double part = right_part(mesh, labels, [&](const Mesh::Face_index f) { return expected[f]; });

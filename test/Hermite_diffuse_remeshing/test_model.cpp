@@ -627,6 +627,41 @@ void test_sharp_edges()
   assert(cap == 0.);
 }
 
+// Flat and straight facets that end tangentially in short ones: nothing bulges over them. The surface around a cylinder
+// with rounded edges, the radius of which may be that of the cylinder.
+void test_tangent_lines(const double radius, const double half_height, const double rounding, const int columns,
+                        const int number_of_segments)
+{
+  std::vector<std::array<double, 2> > profile(1, {{0., -half_height}});
+  for(const int side : {-1, 1})
+    for(int i = 0; i <= number_of_segments; ++i)
+    {
+      const double a = analytic::pi / 2. * (side < 0 ? i - number_of_segments : i) / number_of_segments;
+      const double r = radius - rounding + rounding * std::cos(a);
+      if(r > 1e-6 * radius)
+        profile.push_back({{r, side * (half_height - rounding) + rounding * std::sin(a)}});
+    }
+  profile.push_back({{0., half_height}});
+  analytic::Random random(1);
+  const Indexed_triangles t = indexed(analytic::surface_of_revolution(columns, profile, random));
+  const auto model = make_model(t);
+  double error = 0.;
+  for(int f = 0; f < t.number_of_faces(); ++f)
+    for(const double u : {0., 0.2, 0.5, 0.8})
+      for(const double v : {0., 0.25, 0.5})
+      {
+        const Vector p = model->surface.evaluate({f, {{(1. - u) * (1. - v), (1. - u) * v, u}}}).point();
+        const double x = std::hypot(p[0], p[1]) - (radius - rounding), z = std::abs(p[2]) - (half_height - rounding);
+        const double distance = std::hypot((std::max)(x, 0.), (std::max)(z, 0.))
+                              + (std::min)((std::max)(x, z), 0.) - rounding;
+        error = (std::max)(error, std::abs(distance));
+      }
+  // sagittas of the facets, around the axis and of the fillets
+  const double of_columns = radius * (1. - std::cos(analytic::pi / columns));
+  const double of_segments = rounding * (1. - std::cos(analytic::pi / (4. * number_of_segments)));
+  assert(is_at_most("beside fillets", error, 3. * (std::max)(of_columns, of_segments)));
+}
+
 // Between its samples the displacement of a fit onto a feature's spline is what closes the gap there.
 void test_feature_displacements()
 {
@@ -770,6 +805,14 @@ int main()
   test_invariance();
   test_symmetric_meshes();
   test_sharp_edges();
+  // discs, a thick one, capsules
+  test_tangent_lines(1., 0.1, 0.03, 48, 6);
+  test_tangent_lines(1., 0.1, 0.03, 100, 6);
+  test_tangent_lines(1., 0.1, 0.01, 64, 4);
+  test_tangent_lines(1., 1., 0.1, 32, 8);
+  test_tangent_lines(1., 5., 1., 32, 8);
+  test_tangent_lines(1., 40., 1., 32, 8);
+  test_tangent_lines(1., 40., 1., 24, 6);
   test_feature_displacements();
   test_crossings_of_ridges();
   test_normal_beside_folded_face();

@@ -328,43 +328,38 @@ void test_bound_beyond_face_cap()
   check_result(input, mesh);
 }
 
-// Rings of triangles around a vertical axis, at (radius, height).
-Surface_mesh make_rings(const int number_of_columns, const std::vector<std::array<double, 2> >& rings)
-{
-  analytic::Triangles t;
-  for(const std::array<double, 2>& ring : rings)
-    for(int i = 0; i < number_of_columns; ++i)
-    {
-      const double a = 2. * analytic::pi * i / number_of_columns;
-      t.points.push_back({{ring[0] * std::cos(a), ring[0] * std::sin(a), ring[1]}});
-    }
-  for(std::size_t j = 1; j < rings.size(); ++j)
-    for(int i = 0; i < number_of_columns; ++i)
-    {
-      const std::size_t first = (j - 1) * number_of_columns, a = first + i, b = first + (i + 1) % number_of_columns;
-      t.faces.push_back({{a, b, b + number_of_columns}});
-      t.faces.push_back({{a, b + number_of_columns, a + number_of_columns}});
-    }
-  return make_mesh<Surface_mesh>(t);
-}
-
 // vertices of a degree that nothing may take the cube of
 void test_high_degree()
 {
   std::cout << "high degree" << std::endl;
   constexpr int degree = 500;
-  std::vector<std::array<double, 2> > rings;
-  for(int i = 3; i > 0; --i)
-    rings.push_back({{std::sin(0.3 * i), std::cos(0.3 * i)}});
-  Surface_mesh mesh = make_rings(degree, rings);
-  const Surface_mesh::Vertex_index pole = mesh.add_vertex(Point_3(0., 0., 1.));
-  for(int i = 0; i < degree; ++i)
-    mesh.add_face(Surface_mesh::Vertex_index(2 * degree + i), Surface_mesh::Vertex_index(2 * degree + (i + 1) % degree),
-                  pole);
-  const Surface_mesh input = mesh;
+  std::vector<std::array<double, 2> > profile;
+  for(int i = 3; i >= 0; --i)
+    profile.push_back({{std::sin(0.3 * i), std::cos(0.3 * i)}});
+  analytic::Random random(1);
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::surface_of_revolution(degree, profile, random));
+  Surface_mesh mesh = input;
   const auto report = PMP::hermite_diffuse_remesh(mesh);
   assert(report.smallest_quality > 0.3);
   check_result(input, mesh);
+}
+
+// Equal needles side by side, of which a collapse makes worse ones first
+void test_row_of_needles()
+{
+  std::cout << "row of needles" << std::endl;
+  for(const int number_of_columns : {200, 400})
+    for(const double height : {0.2, 1., 3.})
+    {
+      analytic::Random random(1);
+      const Surface_mesh input =
+        make_mesh<Surface_mesh>(analytic::surface_of_revolution(number_of_columns, {{{1., 0.}}, {{1., height}}}, random));
+      Surface_mesh mesh = input;
+      const auto report = PMP::hermite_diffuse_remesh(mesh);
+      assert(report.number_of_faces < 1.6 * report.predicted_number_of_faces && report.size_conformity > 0.9);
+      assert(report.smallest_quality > 0.5 && report.mean_quality > 0.65);
+      check_result(input, mesh);
+    }
 }
 
 // Small sizes beside long edges that must stay: the faces there stay long too, and nothing cascades.
@@ -442,6 +437,7 @@ int main()
   test_early_stop();
   test_bound_beyond_face_cap();
   test_high_degree();
+  test_row_of_needles();
   test_protected_long_edges();
   test_attributes();
   std::cout << "done" << std::endl;

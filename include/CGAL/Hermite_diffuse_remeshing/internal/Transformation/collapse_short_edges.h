@@ -147,12 +147,16 @@ struct Collapse
   bool is_legal() const { return choice < number_of_choices; }
 };
 
+// Of equal needles side by side each collapse makes some that are a little worse, before it makes good triangles in the
+// end: the first one of an even row makes one that is half as wide again.
+constexpr double least_part_of_needle = 0.65;
+
 // The first legal choice from `first_choice` on for the edge of h, at the best place that is legal, if possible of the
-// source of h.
+// source of h. The worst score may fall to `least_part` of itself.
 template <typename UserMesh>
 Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
                                  const typename Working_mesh<UserMesh>::halfedge_descriptor h, const int first_choice,
-                                 const double longest_length)
+                                 const double longest_length, const double least_part)
 {
   typedef Collapse<UserMesh> Result;
   Result result;
@@ -162,6 +166,7 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
   {
     Worth result = worth_around(mesh, source(h, mesh.tmesh()));
     result.add(worth_around(mesh, target(h, mesh.tmesh())));
+    result.score *= result.score > 0. ? least_part : 1.;
     return result;
   };
   // Nearly all edges that may not collapse are refused for the lengths around, which need not wait for the model's
@@ -198,15 +203,14 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
 
 // Collapses the edges that are shorter than `bound` times their size where no edge becomes longer than
 // `longest_length` times its size, what a collapse makes is not split again: the shortest first. Only edges with changes
-// around them are looked at.
+// around them are looked at. Returns the number of candidates.
 template <typename UserMesh>
 std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
-                                 const std::size_t since)
+                                 const std::size_t since, const double least_part)
 {
   typedef Working_mesh<UserMesh> Mesh;
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
   typedef typename Mesh::vertex_descriptor vertex_descriptor;
-  const std::size_t before = mesh.counts().collapses;
   // both before the pass and when its turn comes
   const auto is_candidate = [&](const halfedge_descriptor h)
   { return mesh.relative_length(h) < bound && !mesh.is_protected(h); };
@@ -235,7 +239,7 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
   {
     const halfedge_descriptor h = find_edge(candidate);
     return h == Mesh::Graph_traits::null_halfedge() ? Collapse<UserMesh>()
-         : find_collapse(mesh, h, first_choice, longest_length);
+         : find_collapse(mesh, h, first_choice, longest_length, least_part);
   };
   propose_and_accept(mesh, queue.begin(), queue.end(), [&](const Candidate& candidate) { return propose_from(candidate, 0); },
                      [&](const Candidate& candidate, Collapse<UserMesh> collapse, const std::size_t since_proposal)
@@ -253,6 +257,24 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
         return;
       }
   });
+  return queue.size();
+}
+
+// Same, and where nearly all of the shortest edges have to stay for the needles around them, these are given up.
+template <typename UserMesh>
+std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
+                                 const std::size_t since)
+{
+  // relative to the size
+  constexpr double of_needle = 0.25;
+  // of the edges of needles: less than that is nothing
+  constexpr double negligible_part = 0.1;
+  const std::size_t before = mesh.counts().collapses;
+  collapse_short_edges(mesh, bound, longest_length, since, 1.);
+  const std::size_t number = mesh.counts().collapses - before;
+  if(double(number) < negligible_part * double(collect_edges(mesh, since, SHORTEST_FIRST, [&](const auto h)
+     { return mesh.relative_length(h) < of_needle && !mesh.is_protected(h); }).size()))
+    collapse_short_edges(mesh, of_needle, longest_length, since, least_part_of_needle);
   return mesh.counts().collapses - before;
 }
 
