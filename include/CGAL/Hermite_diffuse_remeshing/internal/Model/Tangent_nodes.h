@@ -207,14 +207,21 @@ private:
     return result;
   }
 
+  // At the other end of a large facet: the normal until now and Max's both err on tangent lines, not both on smooth surfaces.
+  // The one that is closer along a direction
+  const Vector& normal_at_end(const int j, const Vector& normal, const Vector& direction) const
+  {
+    const double now = std::abs(direction.dot(m_normals[j] - normal));
+    return now <= std::abs(direction.dot(m_max_normals[j] - normal)) ? m_normals[j] : m_max_normals[j];
+  }
+
   // and those at their other ends
   double spread_at_ends(const Large_facets& facets, const Vector& normal, const Vector& direction) const
   {
     double result = 0.;
     for(const int j : facets.neighbors)
       if(m_nodes[j].has_normal())
-        result = (std::max)(result, (std::min)(std::abs(direction.dot(m_normals[j] - normal)),
-                                               std::abs(direction.dot(m_max_normals[j] - normal))));
+        result = (std::max)(result, std::abs(direction.dot(normal_at_end(j, normal, direction) - normal)));
     return result;
   }
 
@@ -231,7 +238,7 @@ private:
         continue;
       double share = candidate.suspicion * ramp(spread(facets, facets.normal, direction) / length, disagreeing, agreeing);
       if(!is_first)
-        share *= fitting_share(facets.node, part)
+        share *= fitting_share(facets, part)
                * ramp(spread_at_ends(facets, facets.normal, direction) / length, disagreeing, agreeing);
       result += share * part;
     }
@@ -240,14 +247,17 @@ private:
 
   // The chord of an arc makes the same angle with the normals at both ends. By how much of `turn` must the normal be
   // turned to fit all chords to the neighbours best, least squares of the angles?
-  double fitting_share(const int i, const Vector& turn) const
+  double fitting_share(const Large_facets& facets, const Vector& turn) const
   {
     double product = 0., square = 0.;
-    for(const int j : m_cut_mesh.ring(i))
+    const Vector direction = turn.normalized();
+    for(const int j : m_cut_mesh.ring(facets.node))
       if(m_nodes[j].has_normal())
       {
-        const Vector d = (position(j) - position(i)).normalized();
-        product -= turn.dot(d) * (m_nodes[i].normal.dot(d) + neighbor_normal(j).dot(d));
+        const Vector d = (position(j) - position(facets.node)).normalized();
+        const bool is_at_end = std::binary_search(facets.neighbors.begin(), facets.neighbors.end(), j);
+        const Vector& other = is_at_end ? normal_at_end(j, facets.normal, direction) : neighbor_normal(j);
+        product -= turn.dot(d) * (m_nodes[facets.node].normal.dot(d) + other.dot(d));
         square += turn.dot(d) * turn.dot(d);
       }
     return square > 0. ? ramp(product / square, 0.4, 0.7) : 0.;
