@@ -113,6 +113,24 @@ void test_contract(const Surface_mesh& input, const double part, const double le
   assert(to_input <= report.largest_deviation + report.distance_of_model_from_input);
 }
 
+// What the report says of the distance to the input is no less than CGAL finds, also where the model is highest between
+// the middles of the sides and the centroids: on a sphere of 8 by 4 cells.
+void test_distance_of_model()
+{
+  std::vector<std::array<double, 2> > profile;
+  for(int i = 0; i <= 4; ++i)
+    profile.push_back({{i % 4 == 0 ? 0. : std::sin(analytic::pi * i / 4.), -std::cos(analytic::pi * i / 4.)}});
+  analytic::Random random(1);
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::surface_of_revolution(8, profile, random));
+  Surface_mesh mesh = input;
+  const auto report = PMP::hermite_diffuse_remesh(mesh);
+  const double promised = report.largest_deviation + report.distance_of_model_from_input;
+  typedef CGAL::Sequential_tag Tag;
+  const auto dense = params::random_seed(0).number_of_points_on_faces(100000);
+  assert(PMP::approximate_Hausdorff_distance<Tag>(mesh, input, dense) <= promised);
+  assert(PMP::approximate_Hausdorff_distance<Tag>(input, mesh, dense) <= promised);
+}
+
 // The fits of coarse needles meet with ridges of many degrees, which small faces of the result see between their
 // middles alone.
 void test_ridges()
@@ -189,6 +207,7 @@ int main()
   test_contract(make_mesh<Surface_mesh>(analytic::Frustum().mesh(1000, 3)), 4e-3, 0.5);
   // so coarse that the model bends between the vertices of the input
   test_contract(make_mesh<Surface_mesh>(analytic::Ellipsoid_123().mesh(200, 3)), 4e-3, 0.4);
+  test_distance_of_model();
   test_ridges();
   test_protected_edges();
   test_absurd_tolerances();

@@ -212,7 +212,7 @@ struct Remeshing_report
   /// the point of the result or of the model at which `largest_deviation` was measured
   std::array<double, 3> point_of_largest_deviation = {{0., 0., 0.}};
   /// the largest distance between the model and the facets of the input, at the middles of their sides and at their
-  /// centroids. The distance between the result and these facets, which are chords of the model too, is at most
+  /// centroids, and at more points of those where it is large. The distance between the result and these facets, which are chords of the model too, is at most
   /// the sum of this and of `largest_deviation`.
   double distance_of_model_from_input = 0.;
   /// the bound that was asked for, infinite if there was none
