@@ -16,6 +16,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace CGAL {
@@ -134,21 +135,28 @@ public:
   }
 
   // The one-sided fit at the end of a fan of faces is the least certain of the model: at an open
-  // node the mean in its faces is taken.
+  // node the mean in its faces is taken. On a tangent line the curvature jumps, and the fit does not know it: the mean is
+  // that of the half of the faces where it is larger.
   double largest_curvature(const int node) const
   {
     const Index_range corners = m_surface.cut_mesh().corners(node);
-    if(!m_surface.cut_mesh().is_open(node))
+    const bool is_tangent = m_surface.node(node).is_tangent;
+    if(!is_tangent && !m_surface.cut_mesh().is_open(node))
       return largest_curvature(location_of_corner(corners.first[0]));
-    double sum = 0.;
+    std::vector<double> curvatures;
     Location location;
     location.coordinates.fill(1. / 3.);
     for(const int c : corners)
     {
       location.face = c / 3;
-      sum += largest_curvature(location);
+      curvatures.push_back(largest_curvature(location));
     }
-    return sum / corners.size();
+    if(is_tangent)
+    {
+      std::sort(curvatures.begin(), curvatures.end());
+      curvatures.erase(curvatures.begin(), curvatures.begin() + curvatures.size() / 2);
+    }
+    return std::accumulate(curvatures.begin(), curvatures.end(), 0.) / curvatures.size();
   }
 
   static Location location_of_corner(const int corner)
