@@ -184,18 +184,39 @@ private:
     result.neighbors.erase(std::unique(result.neighbors.begin(), result.neighbors.end()), result.neighbors.end());
     std::sort(result.other_neighbors.begin(), result.other_neighbors.end());
 
-    const Vector x = any_normal(result.normal), y = result.normal.cross(x);
+    result.directions = directions(result);
+    return result;
+  }
+
+  std::array<Vector, 2> directions(const Large_facets& facets) const
+  {
+    const Vector& normal = facets.normal;
+    const Vector x = any_normal(normal), y = normal.cross(x);
     double xx = 0., xy = 0., yy = 0.;
-    for(const Vector& n : result.normals)
+    for(const Vector& n : facets.normals)
     {
       xx += n.dot(x) * n.dot(x);
       xy += n.dot(x) * n.dot(y);
       yy += n.dot(y) * n.dot(y);
     }
-    const double angle = 0.5 * std::atan2(2. * xy, xx - yy);
-    result.directions[1] = std::cos(angle) * x + std::sin(angle) * y;
-    result.directions[0] = result.normal.cross(result.directions[1]);
-    return result;
+    // squares of angles in radians: below it facets agree in all directions, and rounding must not choose
+    constexpr double equal = 1e-12;
+    Vector along = Vector::Zero();
+    if(std::hypot(xx - yy, 2. * xy) > equal)
+    {
+      const double angle = 0.5 * std::atan2(2. * xy, xx - yy);
+      along = normal.cross(std::cos(angle) * x + std::sin(angle) * y);
+    }
+    else
+      for(const int j : facets.other_neighbors)
+      {
+        const Vector turn = neighbor_normal(j) - neighbor_normal(j).dot(normal) * normal;
+        // of equal ones the first
+        if(turn.norm() > (1. + 1e-9) * along.norm())
+          along = turn;
+      }
+    along = along.norm() > 0. ? Vector(along.normalized()) : x;
+    return {{along, normal.cross(along)}};
   }
 
   // along one of the two directions, between a normal at the node and those of the large facets

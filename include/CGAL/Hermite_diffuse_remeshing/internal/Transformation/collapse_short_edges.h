@@ -267,13 +267,15 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
 {
   // relative to the size
   constexpr double of_needle = 0.25;
-  // of the edges of needles: less than that is nothing
-  constexpr double negligible_part = 0.1;
+  // of the edges of needles, and these of the faces: less than that is nothing
+  constexpr double negligible_part = 0.1, negligible_part_of_faces = 0.02;
   const std::size_t before = mesh.counts().collapses;
   collapse_short_edges(mesh, bound, longest_length, since, 1.);
-  const std::size_t number = mesh.counts().collapses - before;
-  if(double(number) < negligible_part * double(collect_edges(mesh, since, SHORTEST_FIRST, [&](const auto h)
-     { return mesh.relative_length(h) < of_needle && !mesh.is_protected(h); }).size()))
+  const double number = double(mesh.counts().collapses - before);
+  const auto is_of_needle = [&](const auto h) { return mesh.relative_length(h) < of_needle && !mesh.is_protected(h); };
+  const double number_of_needles = double(collect_edges(mesh, since, SHORTEST_FIRST, is_of_needle).size());
+  if(number < negligible_part * number_of_needles
+     && number_of_needles > negligible_part_of_faces * double(mesh.number_of_faces()))
     collapse_short_edges(mesh, of_needle, longest_length, since, least_part_of_needle);
   return mesh.counts().collapses - before;
 }
