@@ -98,10 +98,11 @@ public:
 
 private:
   const Vector& position(const int node) const { return m_nodes[node].position; }
+  double area(const int corner) const { return m_surface.area_vector(corner / 3).norm(); }
+
   // Fits look far, and err on both sides of a line; Max's normals are good where facets are regular.
   const Vector& neighbor_normal(const int node) const
   { return (m_normals[node] == m_nodes[node].normal ? m_max_normals : m_normals)[node]; }
-  double area(const int corner) const { return m_surface.area_vector(corner / 3).norm(); }
 
   // Jacobi's sweeps: the nodes at both ends of a facet wait for each other
   void lean_on_large_facets(const std::vector<bool>& is_given)
@@ -281,7 +282,9 @@ private:
         product -= turn.dot(d) * (m_nodes[facets.node].normal.dot(d) + other.dot(d));
         square += turn.dot(d) * turn.dot(d);
       }
-    return square > 0. ? ramp(product / square, 0.4, 0.7) : 0.;
+    // on tangent lines about 1, but for the errors of the neighbours' normals; on smooth surfaces about 0
+    constexpr double least_share = 0.4, sure_share = 0.7;
+    return square > 0. ? ramp(product / square, least_share, sure_share) : 0.;
   }
 
   // Do the large facets agree along a direction in which the small ones turn away, along arcs that begin here?
