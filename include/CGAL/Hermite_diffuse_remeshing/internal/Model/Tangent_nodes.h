@@ -202,6 +202,7 @@ private:
     }
     // squares of angles in radians: below it facets agree in all directions, and rounding must not choose
     constexpr double equal = 1e-12;
+    // then, the one in which a small facet turns away most
     Vector along = Vector::Zero();
     if(std::hypot(xx - yy, 2. * xy) > equal)
     {
@@ -229,8 +230,8 @@ private:
     return result;
   }
 
-  // At the other end of a large facet: the normal until now and Max's both err on tangent lines, not both on smooth surfaces.
-  // The one that is closer along a direction
+  // At the other end of a large facet: on a line its estimate or Max's normal may be right where the other one errs, on
+  // a smooth surface both turn with it. So the one counts that is closer along the direction.
   const Vector& normal_at_end(const int j, const Vector& normal, const Vector& direction) const
   {
     const double now = std::abs(direction.dot(m_normals[j] - normal));
