@@ -31,8 +31,8 @@ int main()
   const K::Point_3 p = surface.point(middle);
   const K::Vector_3 n = surface.normal(middle);
   const auto curvatures = surface.principal_curvatures(middle);
-  std::cout << "distance to the sphere " << std::sqrt(CGAL::squared_distance(p, center)) - 1.
-            << ", cosine between the normals " << n * (p - center)
+  const double radius = std::sqrt(CGAL::squared_distance(p, center));
+  std::cout << "distance to the sphere " << radius - 1. << ", cosine between the normals " << n * (p - center) / radius
             << ", principal curvatures " << curvatures.first << ", " << curvatures.second << std::endl;
 
   // the closest point of the surface to a point far outside
