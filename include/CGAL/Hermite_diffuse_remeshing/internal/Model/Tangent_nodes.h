@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TANGENT_NODES_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TANGENT_NODES_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
 
 #include <algorithm>
@@ -63,6 +64,32 @@ class Tangent_nodes
     std::vector<int> neighbors, other_neighbors;      // of them, and of the small ones; both sorted
   };
 
+  // of normals around one of them, in its plane
+  class Scatter
+  {
+    Vector m_x, m_y;
+    double m_xx = 0., m_xy = 0., m_yy = 0.;
+
+  public:
+    explicit Scatter(const Vector& normal) : m_x(any_normal(normal)), m_y(normal.cross(m_x)) {}
+
+    void add(const Vector& n)
+    {
+      m_xx += n.dot(m_x) * n.dot(m_x);
+      m_xy += n.dot(m_x) * n.dot(m_y);
+      m_yy += n.dot(m_y) * n.dot(m_y);
+    }
+
+    // between the two principal ones
+    double difference() const { return std::hypot(m_xx - m_yy, 2. * m_xy); }
+
+    Vector widest() const
+    {
+      const double angle = 0.5 * std::atan2(2. * m_xy, m_xx - m_yy);
+      return std::cos(angle) * m_x + std::sin(angle) * m_y;
+    }
+  };
+
   struct Candidate
   {
     Large_facets facets;
@@ -111,8 +138,11 @@ private:
     for(int i = 0; i < m_cut_mesh.number_of_nodes(); ++i)
     {
       const double suspicion = m_nodes[i].has_normal() && !is_given[i] ? excess_of_rise(i) : 0.;
-      if(suspicion > 0.)
-        candidates.push_back({large_facets(i), suspicion});
+      if(!(suspicion > 0.))
+        continue;
+      Candidate candidate = {large_facets(i), suspicion};
+      if(!candidate.facets.other_neighbors.empty())
+        candidates.push_back(std::move(candidate));
     }
     std::vector<Vector> normals;
     for(const Candidate& candidate : candidates)
@@ -192,32 +222,31 @@ private:
   std::array<Vector, 2> directions(const Large_facets& facets) const
   {
     const Vector& normal = facets.normal;
-    const Vector x = any_normal(normal), y = normal.cross(x);
-    double xx = 0., xy = 0., yy = 0.;
+    Scatter of_large(normal), of_small(normal);
     for(const Vector& n : facets.normals)
-    {
-      xx += n.dot(x) * n.dot(x);
-      xy += n.dot(x) * n.dot(y);
-      yy += n.dot(y) * n.dot(y);
-    }
+      of_large.add(n);
     // squares of angles in radians: below it facets agree in all directions, and rounding must not choose
     constexpr double equal = 1e-12;
-    // then, the one in which a small facet turns away most
-    Vector along = Vector::Zero();
-    if(std::hypot(xx - yy, 2. * xy) > equal)
+    Vector along = normal.cross(of_large.widest());
+    if(of_large.difference() <= equal)
     {
-      const double angle = 0.5 * std::atan2(2. * xy, xx - yy);
-      along = normal.cross(std::cos(angle) * x + std::sin(angle) * y);
-    }
-    else
+      // then, the one in which the small facets turn away
+      Vector sum = Vector::Zero();
+      double length = 0.;
       for(const int j : facets.other_neighbors)
-      {
-        const Vector turn = neighbor_normal(j) - neighbor_normal(j).dot(normal) * normal;
-        // of equal ones the first
-        if(turn.norm() > (1. + 1e-9) * along.norm())
-          along = turn;
-      }
-    along = along.norm() > 0. ? Vector(along.normalized()) : x;
+        if(m_nodes[j].has_normal())
+        {
+          const Vector& n = neighbor_normal(j);
+          of_small.add(n);
+          sum += n - n.dot(normal) * normal;
+          length += (n - n.dot(normal) * normal).norm();
+        }
+      constexpr double balanced = 1e-3;
+      if(sum.norm() > balanced * length)
+        along = sum.normalized();
+      else if(of_small.difference() > equal)
+        along = of_small.widest();
+    }
     return {{along, normal.cross(along)}};
   }
 
