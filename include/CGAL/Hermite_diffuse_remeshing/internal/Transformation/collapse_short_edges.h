@@ -274,7 +274,7 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
   const double number = double(mesh.counts().collapses - before);
   const auto is_of_needle = [&](const auto h) { return mesh.relative_length(h) < of_needle && !mesh.is_protected(h); };
   const double number_of_needles = double(collect_edges(mesh, since, SHORTEST_FIRST, is_of_needle).size());
-  if(number < negligible_part * number_of_needles
+  if(!mesh.is_stopped() && number < negligible_part * number_of_needles
      && number_of_needles > negligible_part_of_faces * double(mesh.number_of_faces()))
     collapse_short_edges(mesh, of_needle, longest_length, since, least_part_of_needle);
   return mesh.counts().collapses - before;
