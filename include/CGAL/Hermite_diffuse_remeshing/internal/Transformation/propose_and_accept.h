@@ -35,13 +35,7 @@ void propose_and_accept(const Working_mesh<UserMesh>& mesh, const Iterator first
   if(!mesh.is_parallel())
   {
     for(Iterator it = first; it != last && !mesh.is_stopped(); ++it)
-    {
-      const auto proposal = propose(*it);
-      // a long search may have been stopped
-      if(mesh.is_stopped())
-        return;
-      accept(*it, proposal, mesh.number_of_changes());
-    }
+      accept(*it, propose(*it), mesh.number_of_changes());
     return;
   }
   // proposals grow old while earlier ones are accepted, and a stop has to wait for all
