@@ -199,7 +199,7 @@ protected:
   {
     std::size_t step = 0;
     m_told.clear();
-    const bool are_all_taken = m_moved->take(box, [&](const int number)
+    m_moved->take(box, [&](const int number)
     {
       Surroundings& around = m_surroundings[number];
       // told of already, at another place where it has moved, or the vertex is gone, and another has its number
@@ -227,7 +227,8 @@ protected:
       });
     for(const int number : m_told)
       m_surroundings[number].is_told_of = false;
-    return are_all_taken;
+    // also one that came earlier, in a larger box of the same operation, which has left vertices untold of
+    return !this->m_user.visitor.is_stopped();
   }
 
 private:

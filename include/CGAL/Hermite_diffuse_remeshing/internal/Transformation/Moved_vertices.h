@@ -54,10 +54,10 @@ public:
 
   // Calls `visit(vertex)` for the vertices around which faces may be in a box, and forgets them, until it returns false.
   template <typename Visit>
-  bool take(const Bounding_box& box, const Visit& visit)
+  void take(const Bounding_box& box, const Visit& visit)
   {
     if(!std::all_of(m_anywhere.begin(), m_anywhere.end(), visit))
-      return false;
+      return;
     m_anywhere.clear();
     m_near.clear();
     m_grid.visit_near(box, [this](const int ball, const Bounding_box&) { m_near.push_back(ball); return true; });
@@ -65,11 +65,10 @@ public:
     {
       Moves_in_ball& moves = m_in_balls[ball];
       if(!std::all_of(moves.vertices.begin(), moves.vertices.end(), visit))
-        return false;
+        return;
       moves.vertices.clear();
       m_grid.erase(ball, moves.cell);
     }
-    return true;
   }
 };
 

@@ -203,10 +203,10 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
 
 // Collapses the edges that are shorter than `bound` times their size where no edge becomes longer than
 // `longest_length` times its size, what a collapse makes is not split again: the shortest first. Only edges with changes
-// around them are looked at. Returns the number of candidates.
+// around them are looked at. `least_part`: see `find_collapse()`.
 template <typename UserMesh>
-std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
-                                 const std::size_t since, const double least_part)
+void collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
+                          const std::size_t since, const double least_part)
 {
   typedef Working_mesh<UserMesh> Mesh;
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
@@ -257,7 +257,6 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
         return;
       }
   });
-  return queue.size();
 }
 
 // Same, and where nearly all of the shortest edges have to stay for the needles around them, these are given up.
@@ -272,9 +271,13 @@ std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double boun
   const std::size_t before = mesh.counts().collapses;
   collapse_short_edges(mesh, bound, longest_length, since, 1.);
   const double number = double(mesh.counts().collapses - before);
-  const auto is_of_needle = [&](const auto h) { return mesh.relative_length(h) < of_needle && !mesh.is_protected(h); };
-  const double number_of_needles = double(collect_edges(mesh, since, SHORTEST_FIRST, is_of_needle).size());
-  if(!mesh.is_stopped() && number < negligible_part * number_of_needles
+  double number_of_needles = 0.;
+  visit_changed_edges(mesh, since, [&](const auto h)
+  {
+    if(mesh.relative_length(h) < of_needle && !mesh.is_protected(h) && mesh.is_inside(edge(h, mesh.tmesh())))
+      ++number_of_needles;
+  });
+  if(number < negligible_part * number_of_needles
      && number_of_needles > negligible_part_of_faces * double(mesh.number_of_faces()))
     collapse_short_edges(mesh, of_needle, longest_length, since, least_part_of_needle);
   return mesh.counts().collapses - before;
