@@ -201,8 +201,8 @@ struct Remeshing_report
   /// its feature edges, on their curves, and, if there is a bound, from points of the model over its faces, as
   /// many as it takes to know the model between them to a twentieth of the bound; and where edges of the result cross the
   /// sides of faces of the input, along which the model may have ridges, and between. Distances are
-  /// raised by 5 %, which allows for what is between the points. The mean is that of the faces of the result, of what is measured at their vertices,
-  /// middles and centroids, not raised.
+  /// raised by 5 %, which allows for what is between the points. The mean is that of the faces of the result, of what is
+  /// measured at their vertices, middles and centroids, not raised.
   /// @{
 
   /// `false` if the remeshing was stopped before it was measured; then the other fields mean nothing
@@ -212,7 +212,8 @@ struct Remeshing_report
   /// the point of the result or of the model at which `largest_deviation` was measured
   std::array<double, 3> point_of_largest_deviation = {{0., 0., 0.}};
   /// the largest distance between the model and the facets of the input, at the middles of their sides and at their
-  /// centroids, and at more points of those where it is large. The distance between the result and these facets, which are chords of the model too, is at most
+  /// centroids, and at more points of those where it is large. The distance between the result and these facets, which
+  /// are chords of the model too, is at most
   /// the sum of this and of `largest_deviation`.
   double distance_of_model_from_input = 0.;
   /// the bound that was asked for, infinite if there was none

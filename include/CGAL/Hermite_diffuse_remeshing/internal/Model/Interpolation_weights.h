@@ -9,7 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INTERPOLATION_WEIGHTS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_INTERPOLATION_WEIGHTS_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Tangent_nodes.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
 #include <boost/container/small_vector.hpp>

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/classify_vertices.h>
 
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -78,6 +79,26 @@ inline std::vector<Node> make_nodes(const Indexed_triangles& surface,
         nodes[j].is_near_apex = true;
     }
   return nodes;
+}
+
+// tangent nodes with those of their neighbours that are on the line, sorted; see `Tangent_nodes`
+typedef std::vector<std::pair<int, int> > Neighbors_on_lines;
+
+// Calls `visit(corner, u, v)` for the corners of a node, with the sides that begin there.
+template <typename Visit>
+void visit_fan(const Indexed_triangles& surface, const Cut_mesh& cut_mesh, const int node, const Visit& visit)
+{
+  const Vector& p = surface.points[cut_mesh.vertex(node)];
+  for(const int c : cut_mesh.corners(node))
+    visit(c, Vector(surface.point(c / 3, next(c % 3)) - p), Vector(surface.point(c / 3, previous(c % 3)) - p));
+}
+
+// of u x v, for two sides that begin at a node:
+// N. Max, Weights for computing vertex normals from facet normals, JGT 4(2), 1999
+inline double max_weight(const Vector& u, const Vector& v)
+{
+  const double product = u.squaredNorm() * v.squaredNorm();
+  return product > 0. ? 1. / product : 0.;
 }
 
 // from 0 at `none` to 1 at `all`

@@ -24,9 +24,6 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// tangent nodes with those of their neighbours that are on the line, sorted; see `Tangent_nodes`
-typedef std::vector<std::pair<int, int> > Neighbors_on_lines;
-
 // Where a plane or a cylinder ends tangentially in a fillet, tessellations have large facets on one side and small ones
 // on the other. Normals that are estimated from both are turned by a part of the angle between small facets, and the
 // smooth surface bulges over the large ones by this angle times their length. Here the nodes on such lines are found.
@@ -196,19 +193,16 @@ private:
     // Max's weights times the third power of the area: those of long facets of a cylinder balance, and strips along the
     // sides of a plane count little
     Vector sum = Vector::Zero();
-    for(const int c : m_cut_mesh.corners(i))
+    visit_fan(m_surface, m_cut_mesh, i, [&](const int c, const Vector& u, const Vector& v)
     {
-      const Vector u = m_surface.point(c / 3, next(c % 3)) - position(i);
-      const Vector v = m_surface.point(c / 3, previous(c % 3)) - position(i);
-      const double product = u.squaredNorm() * v.squaredNorm(), part = area(c) / largest;
-      if(product > 0.)
-        sum += part * part * part / product * u.cross(v);
+      const double part = area(c) / largest;
+      sum += part * part * part * max_weight(u, v) * u.cross(v);
       const bool is_large = part >= large_part;
       if(is_large)
         result.normals.push_back(u.cross(v).normalized());
       for(const int k : {next(c % 3), previous(c % 3)})
         (is_large ? result.neighbors : result.other_neighbors).push_back(m_cut_mesh.node(c / 3, k));
-    }
+    });
     if(sum.norm() > 0.)
       result.normal = sum.normalized();
     std::sort(result.neighbors.begin(), result.neighbors.end());

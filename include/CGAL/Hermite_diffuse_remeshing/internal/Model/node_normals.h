@@ -24,32 +24,23 @@ namespace Hermite_diffuse_remeshing {
 
 namespace internal {
 
-// Normal of the fan of faces of a node, weighted by area or by the weights of
-// N. Max, Weights for computing vertex normals from facet normals, JGT 4(2), 1999. These are large for
+// Normal of the fan of faces of a node, weighted by area or by Max's weights. These are large for
 // thin faces: one that is turned against the others, as a needle may be that is folded over, takes no part.
 inline Vector fan_normal(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
                          const int node, const bool use_area)
 {
-  const Vector& p = surface.points[cut_mesh.vertex(node)];
   const auto sum_up = [&](const auto& weigh)
   {
     Vector sum = Vector::Zero();
-    for(const int c : cut_mesh.corners(node))
-    {
-      const Vector u = surface.point(c / 3, next(c % 3)) - p;
-      const Vector v = surface.point(c / 3, previous(c % 3)) - p;
-      sum += weigh(u, v, u.cross(v)) * u.cross(v);
-    }
+    visit_fan(surface, cut_mesh, node, [&](const int, const Vector& u, const Vector& v)
+              { sum += weigh(u, v, u.cross(v)) * u.cross(v); });
     return sum;
   };
   const Vector sum_of_area = sum_up([](const Vector&, const Vector&, const Vector&) { return 1.; });
   Vector sum = Vector::Zero();
   if(!use_area)
     sum = sum_up([&](const Vector& u, const Vector& v, const Vector& n)
-    {
-      const double product = u.squaredNorm() * v.squaredNorm();
-      return product > 0. && n.dot(sum_of_area) >= 0. ? 1. / product : 0.;
-    });
+    { return n.dot(sum_of_area) >= 0. ? max_weight(u, v) : 0.; });
   if(!(sum.norm() > 0.))
     sum = sum_of_area;
   const double norm = sum.norm();
