@@ -8,9 +8,11 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -744,6 +746,35 @@ void test_normal_beside_folded_face()
   assert(is_at_least("normal beside a folded face", model->surface.node(0, 0).normal[2], 0.99));
 }
 
+// the tree against a look at every face, for all numbers of faces in its last group
+void test_closest_face()
+{
+  analytic::Random random(1);
+  const auto random_vector = [&]() { return Vector(random(-1., 1.), random(-1., 1.), random(-1., 1.)); };
+  for(const int number_of_faces : {1, 2, 3, 4, 5, 6, 7, 8, 9, 100, 2000})
+  {
+    Indexed_triangles triangles;
+    for(int f = 0; f < number_of_faces; ++f)
+    {
+      const Vector middle = random_vector();
+      for(int k = 0; k < 3; ++k)
+        triangles.points.push_back(middle + 0.1 * random_vector());
+      triangles.triangles.push_back({{3 * f, 3 * f + 1, 3 * f + 2}});
+    }
+    const Triangle_tree tree(triangles);
+    for(int n = 0; n < 200; ++n)
+    {
+      const Vector p = 2. * random_vector();
+      double least_distance = (std::numeric_limits<double>::max)();
+      for(int f = 0; f < number_of_faces; ++f)
+        least_distance = (std::min)(least_distance, (triangles.point(closest_on_face(triangles, f, p)) - p).norm());
+      const std::pair<int, Vector> found = tree.closest(p);
+      assert((found.second - p).norm() == least_distance);
+      assert((triangles.point(closest_on_face(triangles, found.first, p)) - found.second).norm() == 0.);
+    }
+  }
+}
+
 void test_projection()
 {
   bool ok = true;
@@ -816,6 +847,7 @@ int main()
   test_feature_displacements();
   test_crossings_of_ridges();
   test_normal_beside_folded_face();
+  test_closest_face();
   test_projection();
   test_projection_beyond_border();
   test_form_of_paper();

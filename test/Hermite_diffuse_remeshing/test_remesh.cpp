@@ -11,10 +11,13 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
@@ -135,6 +138,41 @@ void test_moves_in_balls()
   number_of_calls = 0;
   moved.take(balls[0], [&](int) { ++number_of_calls; return true; });
   assert(number_of_calls == 0);
+}
+
+// Large contours: triangles of Delaunay where the plane sees a simple polygon counterclockwise, none elsewhere.
+void test_delaunay_triangulation()
+{
+  std::cout << "Delaunay triangulation" << std::endl;
+  using HDR::internal::Vector;
+  constexpr int number_of_corners = 60;
+  const Vector normal(1., 2., 3.);
+  const Vector x = normal.unitOrthogonal(), y = normal.normalized().cross(x);
+  analytic::Random random(1);
+  std::vector<Vector> corners;
+  for(int i = 0; i < number_of_corners; ++i)
+  {
+    const double angle = 2. * boost::math::constants::pi<double>() * i / number_of_corners, radius = random(0.5, 1.);
+    corners.push_back(radius * (std::cos(angle) * x + std::sin(angle) * y) + random(-0.1, 0.1) * normal);
+  }
+  const auto area = [&](const int i, const int j, const int k)
+  { return (corners[j] - corners[i]).cross(corners[k] - corners[i]).dot(normal.normalized()) / 2.; };
+  double area_of_polygon = 0., sum = 0.;
+  for(int i = 2; i < number_of_corners; ++i)
+    area_of_polygon += area(0, i - 1, i);
+  const auto triangles = HDR::internal::delaunay_triangulation(corners, normal);
+  assert(triangles.size() == number_of_corners - 2);
+  for(const std::array<int, 3>& t : triangles)
+  {
+    assert(t[0] < t[1] && t[1] < t[2] && area(t[0], t[1], t[2]) > 0.);
+    sum += area(t[0], t[1], t[2]);
+  }
+  assert(std::abs(sum - area_of_polygon) < 1e-12);
+  assert(HDR::internal::diagonals(number_of_corners, triangles).size() == number_of_corners - 3);
+
+  assert(HDR::internal::delaunay_triangulation(corners, -normal).empty());
+  std::swap(corners[10], corners[30]);
+  assert(HDR::internal::delaunay_triangulation(corners, normal).empty());
 }
 
 // The places that elements leave are taken again in their order, whatever the order in which they were left.
@@ -959,6 +997,7 @@ int main(int argc, char** argv)
 
   test_search_of_near_faces();
   test_moves_in_balls();
+  test_delaunay_triangulation();
   test_free_elements();
   test_steps_along_a_curve();
   test_real_mesh(CGAL::data_file_path("meshes/elephant.off"));

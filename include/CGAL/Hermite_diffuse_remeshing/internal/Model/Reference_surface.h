@@ -255,16 +255,23 @@ private:
       return result;                    // at an apex: the vertex itself
     result.size = size / weight;
 
-    switch(m_options.degree)
+    double fitness = fit(location, blended, result);
+    if(fitness < 1.)
     {
-      case 2:  fit<2>(location, blended, result); break;
-      case 4:  fit<4>(location, blended, result); break;
-      default: fit<3>(location, blended, result); break;
+      // Pivots depend on the directions of x and y: on faces that are stretched obliquely to them they are too small.
+      Local_quadric turned = result;
+      turn_to_principal_axes(location, turned);
+      const double other_fitness = fit(location, blended, turned);
+      if(other_fitness > fitness)
+      {
+        fitness = other_fitness;
+        result = turned;
+      }
     }
     // An edge between two apices is straight, as no normal is known there. The fit beside it is led to it: this
     // factor is zero on that edge and one on the two others.
     const double straightness = between_singular > 0. ? weight / (weight + between_singular) : 1.;
-    const double part = straightness * credibility(location, sum);
+    const double part = straightness * credibility(location, sum) * fitness;
     if(part < 1.)
       for(double& a : result.a)
         a *= part;
@@ -278,12 +285,40 @@ private:
     double apex_share = 0.;               // in [0,1]: of the `agreement()` in the weights of nodes
   };
 
+  // Solves for the coefficients, in the frame that is there. Returns from 0 to 1 how far they can be trusted.
+  double fit(const Location& location, const Blended& blended, Local_quadric& result) const
+  {
+    switch(m_options.degree)
+    {
+      case 2:  return fit_of_degree<2>(location, blended, result);
+      case 4:  return fit_of_degree<4>(location, blended, result);
+      default: return fit_of_degree<3>(location, blended, result);
+    }
+  }
+
   template <int Degree>
-  void fit(const Location& location, const Blended& blended, Local_quadric& result) const;
+  double fit_of_degree(const Location& location, const Blended& blended, Local_quadric& result) const;
+
+  // of the nodes that are fitted
+  void turn_to_principal_axes(const Location& location, Local_quadric& frame) const
+  {
+    double xx = 0., xy = 0., yy = 0.;
+    visit_weights(location, [&](const int i, const double weight)
+    {
+      const Vector d = m_nodes[i].position - frame.origin;
+      const double x = d.dot(frame.x_axis), y = d.dot(frame.y_axis);
+      xx += weight * x * x;
+      xy += weight * x * y;
+      yy += weight * y * y;
+    });
+    const double angle = 0.5 * std::atan2(2. * xy, xx - yy);
+    frame.x_axis = std::cos(angle) * frame.x_axis + std::sin(angle) * frame.y_axis;
+    frame.y_axis = frame.z_axis.cross(frame.x_axis);
+  }
 };
 
 template <int Degree>
-void Reference_surface::fit(const Location& location, const Blended& blended, Local_quadric& result) const
+double Reference_surface::fit_of_degree(const Location& location, const Blended& blended, Local_quadric& result) const
 {
   typedef typename Local_polynomial<Degree>::Pair Pair;
   const double t = m_options.hermite_weight;
@@ -351,10 +386,11 @@ void Reference_surface::fit(const Location& location, const Blended& blended, Lo
   // An ill-conditioned fit over a folded ring is no more than amplified rounding and noise. Fits on stretched
   // meshes, six to one, have pivots of 5e-5 and more.
   constexpr double incredible_pivot = 1e-7, credible_pivot = 1e-5;
-  const double share = fade(polynomial.solve(), incredible_pivot, credible_pivot);
-  if(share > 0.)
+  const double pivot = polynomial.solve();
+  if(pivot > 0.)
     for(int i = 0; i < 6; ++i)
-      result.a[i] = share * polynomial[i];
+      result.a[i] = polynomial[i];
+  return fade(pivot, incredible_pivot, credible_pivot);
 }
 
 } // namespace internal

@@ -50,6 +50,8 @@ class Tangent_nodes
   // Of a turn: the large facets agree with each other if their normals differ by less than the first along it, and do
   // not from the second on.
   static constexpr double agreeing = 0.4, disagreeing = 0.8;
+  // in radians: what rounding turns in a plane is less
+  static constexpr double least_turn = 1e-6;
 
   // What the large facets of a node say. Along the first of two directions of their plane they agree best.
   struct Large_facets
@@ -321,7 +323,8 @@ private:
       for(const int j : facets.other_neighbors)
         if(m_nodes[j].has_normal())
           turn = (std::max)(turn, std::abs(direction.dot(neighbor_normal(j) - normal)));
-      if((std::max)(spread(facets, normal, direction), spread_at_ends(facets, normal, direction)) < agreeing * turn)
+      if(turn > least_turn
+         && (std::max)(spread(facets, normal, direction), spread_at_ends(facets, normal, direction)) < agreeing * turn)
         return true;
     }
     return false;

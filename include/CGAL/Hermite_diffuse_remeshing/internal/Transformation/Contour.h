@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_CONTOUR_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_CONTOUR_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/delaunay_triangulation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/polygon_triangulations.h>
 
@@ -33,28 +34,29 @@ class Contour
 
   // The best triangles of n corners take a time of O(n^3), and again after every change around. An edge between two
   // vertices of high degree, twice of that up to which their edges are worth a search, has so many around it.
-  static constexpr std::size_t largest_number_of_corners = 48;
+  static constexpr int largest_number_to_optimize = 48;
 
 public:
   void add(const vertex_descriptor v) { m_corners.push_back(v); }
   std::size_t size() const { return m_corners.size(); }
   vertex_descriptor corner(const std::size_t i) const { return m_corners[i]; }
 
-  // Finds the best triangles. An edge outside the polygon may join two corners already: a diagonal would
-  // be a second one. What is worth nothing is no offer: nor is a polygon with too many corners.
+  // Finds the best triangles, those of Delaunay in the plane of the model where the corners are many. An edge outside
+  // the polygon may join two corners already: a diagonal would be a second one. What is worth nothing is no offer.
   Worth fill(const Mesh& mesh, const int hint)
   {
-    if(m_corners.size() > largest_number_of_corners)
-      return Worth{-1., 0.};
     const int n = static_cast<int>(m_corners.size());
     const auto is_free = [&](const int i, const int j)
     { return j - i == 1 || j - i == n - 1 || !mesh.are_joined(m_corners[i], m_corners[j]); };
-    const Scored_triangulation best = best_triangulation(n, [&](const int i, const int j, const int k)
+    const auto triangle_worth = [&](const int i, const int j, const int k)
     {
       if(!is_free(i, j) || !is_free(j, k) || !is_free(i, k))
         return Worth{-1., 0.};
       return worth(mesh.reference(), mesh.site(m_corners[i]), mesh.site(m_corners[j]), mesh.site(m_corners[k]), hint);
-    });
+    };
+    if(n > largest_number_to_optimize)
+      return fill_by_delaunay(mesh, hint, triangle_worth);
+    const Scored_triangulation best = best_triangulation(n, triangle_worth);
     m_triangles = best.triangles;
     return best.worth;
   }
@@ -72,6 +74,24 @@ public:
     typename Mesh::Diagonals result;
     for(const std::array<int, 2>& d : internal::diagonals(static_cast<int>(m_corners.size()), m_triangles))
       result.push_back(std::make_pair(m_corners[d[0]], m_corners[d[1]]));
+    return result;
+  }
+
+private:
+  template <typename TriangleWorth>
+  Worth fill_by_delaunay(const Mesh& mesh, const int hint, const TriangleWorth& triangle_worth)
+  {
+    std::vector<Vector> points;
+    Vector middle = Vector::Zero();
+    for(const vertex_descriptor v : m_corners)
+    {
+      points.push_back(mesh.site(v).point);
+      middle += points.back() / static_cast<double>(m_corners.size());
+    }
+    m_triangles = delaunay_triangulation(points, mesh.reference().normal_near(middle, hint));
+    Worth result = m_triangles.empty() ? Worth{-1., 0.} : Worth();
+    for(const Corner_triple& t : m_triangles)
+      result.add(triangle_worth(t[0], t[1], t[2]));
     return result;
   }
 };
