@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -111,8 +112,11 @@ public:
         if(!is_tangent(facets))
           continue;
         m_tangent.push_back(i);
-        for(const int j : facets.neighbors)
-          if(std::binary_search(facets.other_neighbors.begin(), facets.other_neighbors.end(), j))
+        std::vector<int> on_lines;
+        std::set_intersection(facets.neighbors.begin(), facets.neighbors.end(), facets.other_neighbors.begin(),
+                              facets.other_neighbors.end(), std::back_inserter(on_lines));
+        if(!is_corner_of_lines(i, on_lines))
+          for(const int j : on_lines)
             m_on_lines.emplace_back(i, j);
       }
   }
@@ -210,6 +214,8 @@ private:
     std::sort(result.neighbors.begin(), result.neighbors.end());
     result.neighbors.erase(std::unique(result.neighbors.begin(), result.neighbors.end()), result.neighbors.end());
     std::sort(result.other_neighbors.begin(), result.other_neighbors.end());
+    result.other_neighbors.erase(std::unique(result.other_neighbors.begin(), result.other_neighbors.end()),
+                                 result.other_neighbors.end());
 
     result.directions = directions(result);
     return result;
@@ -294,16 +300,22 @@ private:
   }
 
   // The chord of an arc makes the same angle with the normals at both ends. By how much of `turn` must the normal be
-  // turned to fit all chords to the neighbours best, least squares of the angles?
+  // turned to fit all chords to the neighbours best, least squares of the angles? Long chords lead to other lines,
+  // whether they belong to large facets or to long ones beside them.
   double fitting_share(const Large_facets& facets, const Vector& turn) const
   {
+    constexpr double part_of_long_chord = 0.5;
+    double longest = 0.;
+    for(const int j : m_cut_mesh.ring(facets.node))
+      longest = (std::max)(longest, (position(j) - position(facets.node)).norm());
     double product = 0., square = 0.;
     const Vector direction = turn.normalized();
     for(const int j : m_cut_mesh.ring(facets.node))
       if(m_nodes[j].has_normal())
       {
-        const Vector d = (position(j) - position(facets.node)).normalized();
-        const bool is_at_end = std::binary_search(facets.neighbors.begin(), facets.neighbors.end(), j);
+        const Vector chord = position(j) - position(facets.node), d = chord.normalized();
+        const bool is_at_end = chord.norm() > part_of_long_chord * longest
+                            || std::binary_search(facets.neighbors.begin(), facets.neighbors.end(), j);
         const Vector& other = is_at_end ? normal_at_end(j, facets.normal, direction) : neighbor_normal(j);
         product -= turn.dot(d) * (m_nodes[facets.node].normal.dot(d) + other.dot(d));
         square += turn.dot(d) * turn.dot(d);
@@ -311,6 +323,20 @@ private:
     // on tangent lines about 1, but for the errors of the neighbours' normals; on smooth surfaces about 0
     constexpr double least_share = 0.4, sure_share = 0.7;
     return square > 0. ? ramp(product / square, least_share, sure_share) : 0.;
+  }
+
+  // Two lines meet where fillets do: what is far along one of them is no part of the fillet along the other.
+  bool is_corner_of_lines(const int i, const std::vector<int>& on_lines) const
+  {
+    constexpr double cosine_of_corner = 0.6;          // of lines with a turn between those of hexagons and octagons
+    std::vector<Vector> directions;
+    for(const int j : on_lines)
+      directions.push_back((position(j) - position(i)).normalized());
+    for(const Vector& u : directions)
+      for(const Vector& v : directions)
+        if(std::abs(u.dot(v)) < cosine_of_corner)
+          return true;
+    return false;
   }
 
   // Do the large facets agree along a direction in which the small ones turn away, along arcs that begin here?
