@@ -75,6 +75,52 @@ inline Triangles surface_of_revolution(const int number_of_columns, const std::v
   return t;
 }
 
+// A box whose edges and corners are rounded by parts of cylinders and of spheres, n facets around a quarter of a circle;
+// its sides are of two triangles.
+inline Triangles rounded_box(const Point& half_sides, const double radius, const int n, Random& random)
+{
+  Triangles t;
+  const int columns = 4 * (n + 1), rows = 2 * (n + 1);
+  // at the poles, where a quarter of all columns is one vertex
+  const auto is_pole = [&](const int row) { return row == 0 || row == rows - 1; };
+  std::vector<std::size_t> first;
+  for(int row = 0; row < rows; ++row)
+  {
+    first.push_back(t.points.size());
+    const bool is_upper = row > n;
+    const double latitude = pi / 2. * (is_upper ? row - n - 1 : row - n) / n;
+    for(int column = 0; column < columns; column += is_pole(row) ? n + 1 : 1)
+    {
+      const int quarter = column / (n + 1);
+      const double longitude = pi / 2. * (quarter + double(column % (n + 1)) / n);
+      const Point corner = {{(half_sides[0] - radius) * (quarter == 0 || quarter == 3 ? 1 : -1),
+                             (half_sides[1] - radius) * (quarter < 2 ? 1 : -1),
+                             (half_sides[2] - radius) * (is_upper ? 1 : -1)}};
+      const double r = is_pole(row) ? 0. : radius * std::cos(latitude);
+      t.points.push_back({{corner[0] + r * std::cos(longitude), corner[1] + r * std::sin(longitude),
+                           corner[2] + radius * std::sin(latitude)}});
+    }
+  }
+  const auto at = [&](const int row, const int column)
+  { return first[row] + (is_pole(row) ? column % columns / (n + 1) : column % columns); };
+  for(int row = 1; row < rows; ++row)
+    for(int column = 0; column < columns; ++column)
+    {
+      const std::array<std::size_t, 4> v = {{at(row - 1, column), at(row - 1, column + 1), at(row, column + 1),
+                                             at(row, column)}};
+      if(v[0] == v[1])
+        t.faces.push_back({{v[0], v[2], v[3]}});
+      else if(v[2] == v[3])
+        t.faces.push_back({{v[0], v[1], v[2]}});
+      else
+        t.add_quadrangle(v, random);
+    }
+  const std::size_t top = first[rows - 1];
+  t.add_quadrangle({{3, 2, 1, 0}}, random);
+  t.add_quadrangle({{top, top + 1, top + 2, top + 3}}, random);
+  return t;
+}
+
 // A grid over [0,1]^2, nu by nv cells, with jittered inner vertices and random diagonals, mapped by
 // `surface(u,v)`; periodic directions are closed.
 template <typename Surface>

@@ -664,6 +664,35 @@ void test_tangent_lines(const double radius, const double half_height, const dou
   assert(is_at_most("beside fillets", error, 3. * (std::max)(of_columns, of_segments)));
 }
 
+// Three tangent lines meet at a corner, and the facets between them are of all shapes: the surface stays near the box,
+// and turns with it.
+void test_rounded_box(const double radius, const int number_of_segments)
+{
+  const analytic::Point half_sides = {{1.5, 1., 0.5}};
+  analytic::Random random(1);
+  Indexed_triangles t = indexed(analytic::rounded_box(half_sides, radius, number_of_segments, random));
+  const auto model = make_model(t);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vector(0.48, -0.6, 0.64)).toRotationMatrix();
+  for(Vector& p : t.points)
+    p = turn * p;
+  const auto turned = make_model(t);
+  double error = 0., gap = 0.;
+  for(int f = 0; f < t.number_of_faces(); ++f)
+    for(const double u : {0., 0.2, 0.5, 0.8})
+      for(const double v : {0., 0.25, 0.5})
+      {
+        const Location at = {f, {{(1. - u) * (1. - v), (1. - u) * v, u}}};
+        const Vector p = model->surface.evaluate(at).point();
+        gap = (std::max)(gap, (turn * p - turned->surface.evaluate(at).point()).norm());
+        const Eigen::Array3d d = p.array().abs() - Eigen::Array3d(half_sides[0], half_sides[1], half_sides[2]) + radius;
+        const double distance = d.max(0.).matrix().norm() + (std::min)(d.maxCoeff(), 0.) - radius;
+        error = (std::max)(error, std::abs(distance));
+      }
+  const double sagitta = radius * (1. - std::cos(analytic::pi / (4. * number_of_segments)));
+  assert(is_at_most("rounded box, sagittas", error / sagitta, 5.));
+  assert(is_at_most("rounded box, rotation", gap, 1e-9));
+}
+
 // Between its samples the displacement of a fit onto a feature's spline is what closes the gap there.
 void test_feature_displacements()
 {
@@ -844,6 +873,9 @@ int main()
   test_tangent_lines(1., 5., 1., 32, 8);
   test_tangent_lines(1., 40., 1., 32, 8);
   test_tangent_lines(1., 40., 1., 24, 6);
+  test_rounded_box(0.2, 8);
+  test_rounded_box(0.2, 16);
+  test_rounded_box(0.02, 8);
   test_feature_displacements();
   test_crossings_of_ridges();
   test_normal_beside_folded_face();

@@ -106,6 +106,12 @@ class Reference_surface
   // the query, so they fade: a node that came in or went out at once would break the surface.
   static constexpr double least_cosine = 0.2, trusted_cosine = 0.5;
   static constexpr double ridge = 1e-9;
+  // An ill-conditioned fit over a folded ring is no more than amplified rounding and noise. Fits on stretched
+  // meshes, six to one, have pivots of 5e-5 and more.
+  static constexpr double incredible_pivot = 1e-7, credible_pivot = 1e-5;
+  // Pivots depend on the directions of x and y: over faces that are stretched obliquely to them they are smaller than
+  // along the principal axes, by less than this is above credible ones.
+  static constexpr double doubtful_pivot = 1e-4;
 
 public:
   Reference_surface(Indexed_triangles triangles, Cut_mesh cut_mesh,
@@ -255,23 +261,16 @@ private:
       return result;                    // at an apex: the vertex itself
     result.size = size / weight;
 
-    double fitness = fit(location, blended, result);
-    if(fitness < 1.)
+    double pivot = fit(location, blended, result);
+    if(pivot < doubtful_pivot)
     {
-      // Pivots depend on the directions of x and y: on faces that are stretched obliquely to them they are too small.
-      Local_quadric turned = result;
-      turn_to_principal_axes(location, turned);
-      const double other_fitness = fit(location, blended, turned);
-      if(other_fitness > fitness)
-      {
-        fitness = other_fitness;
-        result = turned;
-      }
+      turn_to_principal_axes(location, result);
+      pivot = fit(location, blended, result);
     }
     // An edge between two apices is straight, as no normal is known there. The fit beside it is led to it: this
     // factor is zero on that edge and one on the two others.
     const double straightness = between_singular > 0. ? weight / (weight + between_singular) : 1.;
-    const double part = straightness * credibility(location, sum) * fitness;
+    const double part = straightness * credibility(location, sum) * fade(pivot, incredible_pivot, credible_pivot);
     if(part < 1.)
       for(double& a : result.a)
         a *= part;
@@ -285,7 +284,7 @@ private:
     double apex_share = 0.;               // in [0,1]: of the `agreement()` in the weights of nodes
   };
 
-  // Solves for the coefficients, in the frame that is there. Returns from 0 to 1 how far they can be trusted.
+  // Solves for the coefficients, in the frame that is there, and returns the smallest pivot.
   double fit(const Location& location, const Blended& blended, Local_quadric& result) const
   {
     switch(m_options.degree)
@@ -383,14 +382,10 @@ double Reference_surface::fit_of_degree(const Location& location, const Blended&
   polynomial.add_ridge(2, ridge * total_weight);
   for(int order = 3; order <= Degree; ++order)
     polynomial.add_ridge(order, (m_options.has_soft_degree ? blended.cubic_ridge : ridge) * total_weight);
-  // An ill-conditioned fit over a folded ring is no more than amplified rounding and noise. Fits on stretched
-  // meshes, six to one, have pivots of 5e-5 and more.
-  constexpr double incredible_pivot = 1e-7, credible_pivot = 1e-5;
   const double pivot = polynomial.solve();
-  if(pivot > 0.)
-    for(int i = 0; i < 6; ++i)
-      result.a[i] = polynomial[i];
-  return fade(pivot, incredible_pivot, credible_pivot);
+  for(int i = 0; i < 6; ++i)
+    result.a[i] = pivot > 0. ? polynomial[i] : 0.;
+  return pivot;
 }
 
 } // namespace internal

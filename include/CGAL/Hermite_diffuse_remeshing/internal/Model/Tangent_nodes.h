@@ -43,9 +43,10 @@ class Tangent_nodes
   std::vector<int> m_tangent;
   Neighbors_on_lines m_on_lines;
 
-  // between edges of a node, or between rises of the surface over them: below the first one bulges over large facets
-  // are about those over small ones
-  static constexpr double least_ratio = 3.3, sure_ratio = 6.;
+  // between edges of a node
+  static constexpr double least_ratio = 3.3;
+  // between rises of the surface over them: below the first one bulges over large facets are about those over small ones
+  static constexpr double least_excess = 1.5, sure_excess = 3.;
   // of the area of the node's largest facet: from here on facets are large
   static constexpr double large_part = 0.3;
   // Of a turn: the large facets agree with each other if their normals differ by less than the first along it, and do
@@ -132,7 +133,10 @@ private:
 
   // Fits look far, and err on both sides of a line; Max's normals are good where facets are regular.
   const Vector& neighbor_normal(const int node) const
-  { return (m_normals[node] == m_nodes[node].normal ? m_max_normals : m_normals)[node]; }
+  {
+    const bool has_turned = (m_normals[node] - m_nodes[node].normal).norm() > least_turn;
+    return (has_turned ? m_normals : m_max_normals)[node];
+  }
 
   // Jacobi's sweeps: the nodes at both ends of a facet wait for each other
   void lean_on_large_facets(const std::vector<bool>& is_given)
@@ -175,7 +179,7 @@ private:
       sum += 1. / squared_length;
     }
     const double usual = curvature * m_cut_mesh.ring(i).size() / sum;
-    return usual > 0. ? ramp(largest / usual, least_ratio, sure_ratio) : 0.;
+    return usual > 0. ? ramp(largest / usual, least_excess, sure_excess) : 0.;
   }
 
   bool has_edges_of_different_lengths(const int i) const
@@ -266,7 +270,7 @@ private:
   const Vector& normal_at_end(const int j, const Vector& normal, const Vector& direction) const
   {
     const double now = std::abs(direction.dot(m_normals[j] - normal));
-    return now <= std::abs(direction.dot(m_max_normals[j] - normal)) ? m_normals[j] : m_max_normals[j];
+    return now <= std::abs(direction.dot(m_max_normals[j] - normal)) + least_turn ? m_normals[j] : m_max_normals[j];
   }
 
   // and those at their other ends
