@@ -43,10 +43,9 @@ class Tangent_nodes
   std::vector<int> m_tangent;
   Neighbors_on_lines m_on_lines;
 
-  // between edges of a node
-  static constexpr double least_ratio = 3.3;
-  // between rises of the surface over them: below the first one bulges over large facets are about those over small ones
-  static constexpr double least_excess = 1.5, sure_excess = 3.;
+  // between edges of a node, or between rises of the surface over them: below the first one bulges over large facets
+  // are about those over small ones
+  static constexpr double least_ratio = 3.3, sure_ratio = 6.;
   // of the area of the node's largest facet: from here on facets are large
   static constexpr double large_part = 0.3;
   // Of a turn: the large facets agree with each other if their normals differ by less than the first along it, and do
@@ -179,7 +178,7 @@ private:
       sum += 1. / squared_length;
     }
     const double usual = curvature * m_cut_mesh.ring(i).size() / sum;
-    return usual > 0. ? ramp(largest / usual, least_excess, sure_excess) : 0.;
+    return usual > 0. ? ramp(largest / usual, least_ratio, sure_ratio) : 0.;
   }
 
   bool has_edges_of_different_lengths(const int i) const
