@@ -131,23 +131,28 @@ private:
         || std::binary_search(m_on_lines.begin(), m_on_lines.end(), std::make_pair(node, neighbor));
   }
 
+  // A node that several corners know is met several times at first: looking for it would take the square of the degree.
   void collect(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int face, Influences& result) const
   {
-    result.resize(3);
+    result.clear();
     for(int k = 0; k < 3; ++k)
-      result[k] = {cut_mesh.node(face, k), static_cast<unsigned char>(k)};
-    for(int k = 0; k < 3; ++k)
-      if(!nodes[cut_mesh.node(face, k)].is_singular)
-        for(const int j : cut_mesh.ring(cut_mesh.node(face, k)))
-        {
-          if(!has_influence(nodes, cut_mesh.node(face, k), j))
-            continue;
-          auto found = std::find_if(result.begin(), result.end(), [j](const Influence& i) { return i.node == j; });
-          if(found == result.end())
-            found = result.insert(found, {j, no_corner});
-          found->corners |= 4 << k;
-        }
+    {
+      const int node = cut_mesh.node(face, k);
+      result.push_back({node, static_cast<unsigned char>(k)});
+      if(!nodes[node].is_singular)
+        for(const int j : cut_mesh.ring(node))
+          if(has_influence(nodes, node, j))
+            result.push_back({j, static_cast<unsigned char>(no_corner | 4 << k)});
+    }
     std::sort(result.begin(), result.end(), [](const Influence& a, const Influence& b) { return a.node < b.node; });
+    auto last = result.begin();
+    for(auto it = last + 1; it != result.end(); ++it)
+      if(it->node == last->node)
+        last->corners = static_cast<unsigned char>((std::min)(last->corners & 3, it->corners & 3)
+                                                   | ((last->corners | it->corners) & ~3));
+      else
+        *++last = *it;
+    result.erase(last + 1, result.end());
   }
 };
 
