@@ -213,8 +213,8 @@ struct Remeshing_report
   std::array<double, 3> point_of_largest_deviation = {{0., 0., 0.}};
   /// the largest distance between the model and the facets of the input, at the middles of their sides and at their
   /// centroids, and at more points of those where it is large. The distance between the result and these facets, which
-  /// are chords of the model too, is at most
-  /// the sum of this and of `largest_deviation`.
+  /// are chords of the model too, is at most the sum of this and of `largest_deviation`; only where faces of the result
+  /// span many facets and there is no bound may it be more, as between the vertices of the input nothing is measured then.
   double distance_of_model_from_input = 0.;
   /// the bound that was asked for, infinite if there was none
   double maximum_deviation = std::numeric_limits<double>::infinity();

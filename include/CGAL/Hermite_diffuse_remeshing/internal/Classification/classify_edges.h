@@ -92,16 +92,17 @@ inline void discard_isolated_sharp_edges(const Indexed_triangles& surface, const
 }
 
 // `edge_mark(face, side)` is what the user says of an edge; the stronger word of its two sides counts.
-// `sharp_angle` is in radians; an edge is sharp if the normals of its faces differ by more.
+// `angle_bound` is in radians; an edge is sharp if the normals of its faces differ by more.
 template <typename EdgeMark>
 std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
                                        const Edge_table& edges,
-                                       const double sharp_angle,
+                                       const double angle_bound,
                                        const EdgeMark& edge_mark)
 {
   // In radians: what roundings of the coordinates, also to single precision, make of an angle. Whether the edges of a
   // regular prism are sharp, which all have the angle that was asked for, is not for them to decide.
   constexpr double rounding = 1e-5;
+  const double sharp_angle = angle_bound + rounding;
   std::vector<Edge_class> classes(edges.number_of_edges(), INTERIOR_EDGE);
   std::vector<char> may_be_sharp(edges.number_of_edges(), false);
   for(int e = 0; e < edges.number_of_edges(); ++e)
@@ -127,7 +128,7 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
     else if(mark == UNMARKED_EDGE)
     {
       may_be_sharp[e] = true;
-      if(dihedral_deviation(surface, s.face, t.face) > sharp_angle + rounding)
+      if(dihedral_deviation(surface, s.face, t.face) > sharp_angle)
         classes[e] = SHARP_EDGE;
     }
   }
