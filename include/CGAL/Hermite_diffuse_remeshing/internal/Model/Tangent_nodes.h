@@ -62,6 +62,7 @@ class Tangent_nodes
     std::array<Vector, 2> directions;
     std::vector<Vector> normals;
     std::vector<int> neighbors, other_neighbors;      // of them, and of the small ones; both sorted
+    bool is_flat;                                     // they agree in all directions
   };
 
   // of normals around one of them, in its plane
@@ -195,7 +196,7 @@ private:
 
   Large_facets large_facets(const int i) const
   {
-    Large_facets result = {i, m_nodes[i].normal, {}, {}, {}, {}};
+    Large_facets result = {i, m_nodes[i].normal, {}, {}, {}, {}, false};
     double largest = 0.;
     for(const int c : m_cut_mesh.corners(i))
       largest = (std::max)(largest, area(c));
@@ -220,11 +221,11 @@ private:
     result.other_neighbors.erase(std::unique(result.other_neighbors.begin(), result.other_neighbors.end()),
                                  result.other_neighbors.end());
 
-    result.directions = directions(result);
+    find_directions(result);
     return result;
   }
 
-  std::array<Vector, 2> directions(const Large_facets& facets) const
+  void find_directions(Large_facets& facets) const
   {
     const Vector& normal = facets.normal;
     Scatter of_large(normal), of_small(normal);
@@ -232,8 +233,9 @@ private:
       of_large.add(n);
     // squares of angles in radians: below it facets agree in all directions, and rounding must not choose
     constexpr double equal = 1e-12;
+    facets.is_flat = of_large.difference() <= equal;
     Vector along = normal.cross(of_large.widest());
-    if(of_large.difference() <= equal)
+    if(facets.is_flat)
     {
       // then, the one in which the small facets turn away
       Vector sum = Vector::Zero();
@@ -252,7 +254,7 @@ private:
       else if(of_small.difference() > equal)
         along = of_small.widest();
     }
-    return {{along, normal.cross(along)}};
+    facets.directions = {{along, normal.cross(along)}};
   }
 
   // along one of the two directions, between a normal at the node and those of the large facets
@@ -286,8 +288,15 @@ private:
   {
     const Large_facets& facets = candidate.facets;
     const Vector estimate = m_nodes[facets.node].normal, turn = facets.normal - estimate;
+    std::array<Vector, 2> directions = facets.directions;
+    if(facets.is_flat)
+    {
+      // one turn: of a small part of it, across the rest, the errors of the neighbours would say nothing
+      const Vector across = turn - turn.dot(facets.normal) * facets.normal;
+      directions = {{across.norm() > least_turn ? Vector(across.normalized()) : Vector(Vector::Zero()), Vector::Zero()}};
+    }
     Vector result = estimate;
-    for(const Vector& direction : facets.directions)
+    for(const Vector& direction : directions)
     {
       const Vector part = turn.dot(direction) * direction;
       const double length = part.norm();
