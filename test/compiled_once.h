@@ -57,7 +57,7 @@ COMPILED_ONCE_REPAIRS(extern)
 #define COMPILED_ONCE_FITS(PREFIX, DEGREE)                                                                   \
   PREFIX template double CGAL::Hermite_diffuse_remeshing::internal::Normal_fitter::add_fit<DEGREE>(          \
     const Node_frame&, double, Fitted_normal&) const;                                                        \
-  PREFIX template void CGAL::Hermite_diffuse_remeshing::internal::Reference_surface::fit<DEGREE>(            \
+  PREFIX template double CGAL::Hermite_diffuse_remeshing::internal::Reference_surface::fit_of_degree<DEGREE>(\
     const Location&, const Blended&, Local_quadric&) const;
 
 #define COMPILED_ONCE_SMOOTHING(PREFIX)                                                                      \
