@@ -29,6 +29,12 @@ struct Principal_curvatures
   double largest_absolute() const { return (std::max)(std::abs(maximum), std::abs(minimum)); }
 };
 
+// from the x axis to the principal axis of the symmetric matrix (xx xy; xy yy) with the larger value
+inline double angle_of_larger_axis(const double xx, const double xy, const double yy)
+{
+  return 0.5 * std::atan2(2. * xy, xx - yy);
+}
+
 // A surface z = z(x,y) at one point: orthonormal frame and derivatives
 //   p = z_x, q = z_y, r = z_xx, s = z_xy, u = z_yy   (u, where the paper has t).
 struct Monge_form
@@ -66,7 +72,7 @@ struct Monge_form
     const Vector n = normal();
     const Vector e1 = (x_axis + p * z_axis).normalized();
     const Vector e2 = n.cross(e1);
-    const double angle = 0.5 * std::atan2(2. * f.b, f.a - f.c);
+    const double angle = angle_of_larger_axis(f.a, f.b, f.c);
     result.maximum_direction = std::cos(angle) * e1 + std::sin(angle) * e2;
     result.minimum_direction = n.cross(result.maximum_direction);
     return result;

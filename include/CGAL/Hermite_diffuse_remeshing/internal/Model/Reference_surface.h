@@ -311,7 +311,7 @@ private:
       xy += weight * x * y;
       yy += weight * y * y;
     });
-    const double angle = 0.5 * std::atan2(2. * xy, xx - yy);
+    const double angle = angle_of_larger_axis(xx, xy, yy);
     frame.x_axis = std::cos(angle) * frame.x_axis + std::sin(angle) * frame.y_axis;
     frame.y_axis = frame.z_axis.cross(frame.x_axis);
   }

@@ -86,7 +86,7 @@ class Tangent_nodes
 
     Vector widest() const
     {
-      const double angle = 0.5 * std::atan2(2. * m_xy, m_xx - m_yy);
+      const double angle = angle_of_larger_axis(m_xx, m_xy, m_yy);
       return std::cos(angle) * m_x + std::sin(angle) * m_y;
     }
   };
