@@ -50,7 +50,8 @@ COMPILED_ONCE_MODEL(extern, Input_model)
   PREFIX template CGAL::Hermite_diffuse_remeshing::internal::Repaired_triangles                              \
   CGAL::Hermite_diffuse_remeshing::internal::repair_triangles<                                               \
     CGAL::Hermite_diffuse_remeshing::internal::Repair_planner>(                                              \
-    const Indexed_triangles&, const Side_marks&, double, const std::vector<char>&, const std::vector<char>&);
+    const Indexed_triangles&, const Side_marks&, double, double, const std::vector<char>&,                   \
+    const std::vector<char>&);
 
 COMPILED_ONCE_REPAIRS(extern)
 

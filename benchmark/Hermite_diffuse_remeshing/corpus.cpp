@@ -164,8 +164,9 @@ int main(int argc, char** argv)
       remark(intersections_before == 0 && intersections > 0, "newly intersecting");
       remark(intersections > intersections_before, "more intersections than before");
       remark(euler_characteristic(mesh) != characteristic, "another topology");
-      // those at degenerate faces are no corners after the repair
-      remark(lost > 0 && report.number_of_degenerate_input_faces == 0, "lost corners");
+      // those at degenerate and folded faces are no corners after the repair
+      remark(lost > 0 && report.number_of_degenerate_input_faces + report.number_of_folded_input_faces == 0,
+             "lost corners");
       if(report.smallest_quality < 0.1)
         low_qualities.push_back(name + ": " + std::to_string(report.smallest_quality) + ", "
                                 + explanation(report.low_quality_faces.front()) + "; in all " + reasons(report));

@@ -168,6 +168,7 @@ void write_json(std::ostream& os,
      << "  \"input_quality_min\": " << number(r.smallest_input_quality) << ",\n"
      << "  \"input_quality_mean\": " << number(r.mean_input_quality) << ",\n"
      << "  \"degenerate_input_faces\": " << r.number_of_degenerate_input_faces << ",\n"
+     << "  \"folded_input_faces\": " << r.number_of_folded_input_faces << ",\n"
      << "  \"unrepaired_faces\": " << r.number_of_unrepaired_faces << ",\n"
      << "  \"faces\": " << r.number_of_faces << ",\n"
      << "  \"vertices\": " << r.number_of_vertices << ",\n"
@@ -227,8 +228,8 @@ void print_table(std::ostream& os,
   row("faces", static_cast<double>(r.number_of_input_faces),
       static_cast<double>(r.number_of_faces));
   os << "faces predicted     " << std::setw(24) << std::round(r.predicted_number_of_faces) << "\n";
-  if(r.number_of_degenerate_input_faces > 0)
-    row("degenerate faces", static_cast<double>(r.number_of_degenerate_input_faces),
+  if(r.number_of_degenerate_input_faces + r.number_of_folded_input_faces > 0)
+    row("degenerate, folded", static_cast<double>(r.number_of_degenerate_input_faces + r.number_of_folded_input_faces),
         static_cast<double>(r.number_of_unrepaired_faces));
   os << std::setprecision(4);
   row("smallest quality", r.smallest_input_quality, r.smallest_quality);

@@ -248,6 +248,83 @@ void test_repairs()
   assert(CGAL::is_valid_polygon_mesh(mesh));
 }
 
+Surface_mesh::Vertex_index vertex_in_middle(const Surface_mesh& mesh)
+{
+  const Point_3 middle(0.5, 0.5, 0.);
+  return *std::min_element(vertices(mesh).begin(), vertices(mesh).end(), [&](const auto v, const auto w)
+    { return CGAL::compare_distance_to_point(middle, mesh.point(v), mesh.point(w)) == CGAL::SMALLER; });
+}
+
+// A grid of which one vertex has been moved over a side of a face: the face lies upside down on the one beside it. Its
+// apex is the part `rise` of the side above that.
+struct Folded_grid
+{
+  Surface_mesh mesh = grid(8, 0.);
+  Surface_mesh::Vertex_index apex = vertex_in_middle(mesh);
+  Surface_mesh::Halfedge_index side = mesh.prev(mesh.halfedge(apex));       // of the face that is folded over
+  Point_3 apex_beside = mesh.point(mesh.target(mesh.next(mesh.opposite(side))));
+
+  explicit Folded_grid(const double rise)
+  {
+    const Point_3 a = mesh.point(mesh.source(side)), b = mesh.point(mesh.target(side)), m = CGAL::midpoint(a, b);
+    const Point_3 p = m + 0.2 * (m - mesh.point(apex));
+    mesh.point(apex) = Point_3(p.x(), p.y(), p.z() + rise * std::sqrt(CGAL::squared_distance(a, b)));
+  }
+};
+
+// a face upside down has no crease around it in the result, unless the user wants it or it stands too high
+void test_unfolding()
+{
+  const auto is_flat = [](const Surface_mesh& mesh)
+  {
+    return std::all_of(mesh.faces().begin(), mesh.faces().end(), [&](const auto f)
+                       { return CGAL::scalar_product(PMP::compute_face_normal(f, mesh), Kernel::Vector_3(0., 0., 1.)) > 0.9; });
+  };
+  for(const double rise : {0., 0.02})
+  {
+    const Folded_grid input(rise);
+    Surface_mesh mesh = input.mesh;
+    assert(!is_flat(mesh));
+    auto report = PMP::hermite_diffuse_remesh(mesh);
+    assert(report.number_of_folded_input_faces == 1 && report.number_of_unrepaired_faces == 0);
+    assert((report.largest_unfolding > 0.) == (rise > 0.) && report.largest_unfolding < 0.02);
+    assert(report.number_of_corners == 4 && report.number_of_feature_edges == 32);
+    assert(report.smallest_quality > 0.3 && is_flat(mesh));
+    assert(CGAL::is_valid_polygon_mesh(mesh) && euler_characteristic(mesh) == euler_characteristic(input.mesh));
+
+    // a bound of the distance that the unfolding would take a tenth of, and more
+    mesh = input.mesh;
+    report = PMP::hermite_diffuse_remesh(mesh, params::maximum_displacement(0.1 * rise));
+    assert(report.number_of_unrepaired_faces == (rise > 0. ? 1 : 0));
+
+    // the side is a feature of the user
+    mesh = input.mesh;
+    auto is_constrained = mesh.add_property_map<Surface_mesh::Edge_index, bool>("e:constrained", false).first;
+    is_constrained[mesh.edge(input.side)] = true;
+    report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.01).edge_is_constrained_map(is_constrained));
+    assert(report.number_of_folded_input_faces == 1 && report.number_of_unrepaired_faces == 1);
+    assert(CGAL::is_valid_polygon_mesh(mesh));
+
+    // so is another face that the unfolded ones would go through
+    mesh = Folded_grid(0.09).mesh;
+    const Point_3 p = mesh.point(input.apex), q = input.apex_beside;
+    const auto on_ridge = [&](const double u, const double x, const double z)
+    { return CGAL::barycenter(p, 1. - u, q, u) + Kernel::Vector_3(x, x, z); };
+    CGAL::Euler::add_face(std::vector<Surface_mesh::Vertex_index>{
+      mesh.add_vertex(on_ridge(0.3, 0., rise > 0. ? 1e-3 : -1e-3)), mesh.add_vertex(on_ridge(0.4, 0.01, 1.)),
+      mesh.add_vertex(on_ridge(0.5, -0.01, 1.))}, mesh);
+    report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).maximum_edge_length(0.2));
+    assert(report.number_of_folded_input_faces == 1 && report.number_of_unrepaired_faces == (rise > 0. ? 0 : 1));
+  }
+  Surface_mesh mesh = Folded_grid(0.12).mesh;
+  assert(PMP::hermite_diffuse_remesh(mesh).number_of_unrepaired_faces == 1);
+
+  // the faces of a spike stand back to back, but they are not folded
+  mesh = tetrahedron();
+  mesh.point(Surface_mesh::Vertex_index(3)) = Point_3(0.3, 0.3, 100.);
+  assert(PMP::hermite_diffuse_remesh(mesh).number_of_folded_input_faces == 0);
+}
+
 void test_accepted_as_they_are()
 {
   // isolated vertices stay
@@ -499,6 +576,7 @@ int main()
 
   test_refusals();
   test_repairs();
+  test_unfolding();
   test_accepted_as_they_are();
   test_extreme_coordinates();
   test_low_qualities();

@@ -198,7 +198,7 @@ failing_write)
 json_report)
   make_input cup.off
   run cup.off out.off --report out.json
-  for key in input_faces degenerate_input_faces unrepaired_faces input_quality_min input_quality_mean faces vertices quality_min \
+  for key in input_faces degenerate_input_faces folded_input_faces unrepaired_faces input_quality_min input_quality_mean faces vertices quality_min \
              quality_mean deviation_max deviation_mean deviation_max_point maximum_deviation \
              maximum_deviation_met faces_above_maximum_deviation deviation_obstacles quality_obstacles low_quality_faces size_conformity predicted_faces size_scale corners curves \
              feature_edges iterations stop_reason counts seconds stages; do

@@ -9,7 +9,7 @@ keep data of the user in step with the mesh, and to stop early.
 The functions are called in the thread of the caller, between the changes of the mesh: in each of
 them the mesh is valid. The functions must not change the connectivity of the mesh or its points.
 An exception thrown by a function of the visitor ends the remeshing and reaches the caller, who has a valid
-mesh. The repairs of degenerate faces are told in the same way, as collapses and flips of the stage
+mesh. The repairs of degenerate and folded faces are told in the same way, as collapses and flips of the stage
 `"repair"`.
 
 \cgalHasModelsBegin

@@ -131,7 +131,7 @@ namespace Polygon_mesh_processing {
  *
  * remeshes a soup of triangles, which may be non-manifold: edges with any number of triangles, vertices where sheets
  * touch, open and closed parts, triangles that are not coherently oriented, sheets that cannot be oriented. Apart
- * from that it does the same as `hermite_diffuse_remesh()`, but for degenerate triangles, which it does not repair:
+ * from that it does the same as `hermite_diffuse_remesh()`, but for degenerate and folded triangles, which it does not repair:
  * `CGAL::Polygon_mesh_processing::repair_polygon_soup()` removes some of them. The report's counts of these, and of isolated
  * and coincident points, stay 0. Of a map of labels, entries beyond the triangles of the result are left as they are.
  *

@@ -11,18 +11,13 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/classify_edges.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/edge_topology.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/assertions.h>
-#include <CGAL/boost/graph/Euler_operations.h>
-#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Repair_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/unfold_faces.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,13 +40,6 @@ inline double resolution_of_coordinates(const std::vector<Vector>& points)
   constexpr double halves = 4.;
   return halves / 2. * largest * (is_single ? double(std::numeric_limits<float>::epsilon())
                                             : std::numeric_limits<double>::epsilon());
-}
-
-// Is the height over the longest edge within the resolution?
-inline bool is_degenerate_triangle(const Vector& a, const Vector& b, const Vector& c, const double resolution)
-{
-  const double longest = (std::max)({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-  return !((b - a).cross(c - a).norm() > resolution * longest);
 }
 
 inline std::size_t count_degenerate_faces(const Indexed_triangles& triangles, const double resolution)
@@ -81,15 +69,6 @@ inline std::size_t count_coincident_points(const std::vector<Vector>& points)
   return sorted.end() - std::unique(sorted.begin(), sorted.end());
 }
 
-// A change of the triangles that moves no point of the surface by more than the resolution.
-struct Repair
-{
-  enum Kind { COLLAPSE, FLIP };
-
-  Kind kind;
-  int source, target;                   // ends of the edge; a collapse removes the source
-};
-
 // Triangles after some repairs. Vertices keep their numbers, `faces[i]` is the former number of face i.
 struct Repaired_triangles
 {
@@ -98,54 +77,33 @@ struct Repaired_triangles
   std::vector<std::array<int, 3> > triangles;
   Side_marks side_marks;
   std::size_t number_of_degenerate_faces = 0, number_of_degenerate_faces_left = 0;
+  std::size_t number_of_folded_faces = 0, number_of_folded_faces_left = 0;
+  double highest_rise = 0.;             // how far the unfolding has moved the surface at most
 };
 
 // Finds the degenerate faces, whose height is within the resolution, and gets rid of them without a guess:
 // of a face with two vertices at one place by the collapse of the edge between them, of a face with
 // a vertex inside its longest edge by the flip of that edge. User's features stay, and what has no such
-// way out.
+// way out. Then it unfolds what is folded over.
 class Repair_planner
 {
-  typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Connectivity;
-  typedef Connectivity::Vertex_index Vertex_index;
-  typedef Connectivity::Halfedge_index Halfedge_index;
-  typedef Connectivity::Face_index Face_index;
+  typedef Repair_mesh::Vertex_index Vertex_index;
+  typedef Repair_mesh::Halfedge_index Halfedge_index;
+  typedef Repair_mesh::Face_index Face_index;
 
   const Indexed_triangles& m_input;
-  double m_resolution;
-  Connectivity m_mesh;
-  Connectivity::Property_map<Connectivity::Edge_index, Edge_mark> m_mark;
-  Connectivity::Property_map<Vertex_index, bool> m_is_kept;
-  std::vector<Repair> m_repairs;
+  Repair_mesh m_mesh;
+  double m_largest_rise;
 
   // A repair can make the next one possible; chains of more than these are left to the remeshing.
   static constexpr int maximum_number_of_passes = 16;
 
 public:
-  // `is_free[face]`: may it be changed? `is_constrained[vertex]`: must it stay?
+  // `largest_rise`: how far the unfolding may move the surface; for the others see `Repair_mesh`
   Repair_planner(const Indexed_triangles& input, const Side_marks& side_marks, const double resolution,
-                 const std::vector<char>& is_free, const std::vector<char>& is_constrained)
-    : m_input(input), m_resolution(resolution)
-  {
-    m_mark = m_mesh.add_property_map<Connectivity::Edge_index, Edge_mark>("e:mark", UNMARKED_EDGE).first;
-    m_is_kept = m_mesh.add_property_map<Vertex_index, bool>("v:kept", false).first;
-    for(int v = 0; v < input.number_of_vertices(); ++v)
-      m_is_kept[m_mesh.add_vertex()] = is_constrained[v] != 0;
-    for(int f = 0; f < input.number_of_faces(); ++f)
-    {
-      const std::array<int, 3>& t = input.triangles[f];
-      const Face_index added = m_mesh.add_face(Vertex_index(t[0]), Vertex_index(t[1]), Vertex_index(t[2]));
-      CGAL_assertion(added == Face_index(f));
-      CGAL_USE(added);
-      for(int k = 0; k < 3; ++k)
-      {
-        const Vertex_index source(t[k]), target(t[next(k)]);
-        m_mark[m_mesh.edge(m_mesh.halfedge(source, target))] = side_marks[f][k];
-        if(!is_free[f])
-          m_is_kept[source] = true;
-      }
-    }
-  }
+                 const double largest_rise, const std::vector<char>& is_free, const std::vector<char>& is_constrained)
+    : m_input(input), m_mesh(input, side_marks, resolution, is_free, is_constrained), m_largest_rise(largest_rise)
+  {}
 
   Repaired_triangles operator()()
   {
@@ -153,153 +111,93 @@ public:
     result.number_of_degenerate_faces = degenerate_faces().size();
     for(int pass = 0; pass < maximum_number_of_passes; ++pass)
     {
-      const std::size_t before = m_repairs.size();
+      const std::size_t before = m_mesh.repairs().size();
       for(const Face_index f : degenerate_faces())
-        if(!m_mesh.is_removed(f) && is_degenerate(f))
+        if(!m_mesh.connectivity().is_removed(f) && m_mesh.is_degenerate(f))
           repair(f);
-      if(m_repairs.size() == before)
+      if(m_mesh.repairs().size() == before)
         break;
     }
     result.number_of_degenerate_faces_left = degenerate_faces().size();
-    result.repairs = m_repairs;
-    for(const Face_index f : m_mesh.faces())
+    Face_unfolding unfold(m_mesh, m_largest_rise);
+    result.number_of_folded_faces = unfold.folded_faces().size();
+    unfold();
+    result.number_of_folded_faces_left = unfold.folded_faces().size();
+    result.highest_rise = unfold.highest_rise();
+    result.repairs = m_mesh.repairs();
+    for(const Face_index f : m_mesh.connectivity().faces())
       add_face(f, result);
     return result;
   }
 
 private:
-  const Vector& point(const Vertex_index v) const { return m_input.points[v]; }
-
   // from its former first corner on, if it still has it
   void add_face(const Face_index f, Repaired_triangles& result) const
   {
-    Halfedge_index h = m_mesh.halfedge(f);
-    for(int k = 0; k < 2 && int(m_mesh.source(h)) != m_input.triangles[f][0]; ++k)
-      h = m_mesh.next(h);
+    const auto& mesh = m_mesh.connectivity();
+    Halfedge_index h = mesh.halfedge(f);
+    for(int k = 0; k < 2 && int(mesh.source(h)) != m_input.triangles[f][0]; ++k)
+      h = mesh.next(h);
     std::array<int, 3> triangle;
     std::array<Edge_mark, 3> marks;
-    for(int k = 0; k < 3; ++k, h = m_mesh.next(h))
+    for(int k = 0; k < 3; ++k, h = mesh.next(h))
     {
-      triangle[k] = int(m_mesh.source(h));
-      marks[k] = m_mark[m_mesh.edge(h)];
+      triangle[k] = int(mesh.source(h));
+      marks[k] = m_mesh.mark(h);
     }
     result.faces.push_back(int(f));
     result.triangles.push_back(triangle);
     result.side_marks.push_back(marks);
   }
 
-  double length(const Halfedge_index h) const
-  {
-    return (point(m_mesh.target(h)) - point(m_mesh.source(h))).norm();
-  }
-
-  Vector area_vector(const Vertex_index a, const Vertex_index b, const Vertex_index c) const
-  {
-    return (point(b) - point(a)).cross(point(c) - point(a));
-  }
-
-  bool is_degenerate(const Vertex_index a, const Vertex_index b, const Vertex_index c) const
-  {
-    return is_degenerate_triangle(point(a), point(b), point(c), m_resolution);
-  }
-
-  Vertex_index apex(const Halfedge_index h) const { return m_mesh.target(m_mesh.next(h)); }
-
-  bool is_degenerate(const Face_index f) const
-  {
-    const Halfedge_index h = m_mesh.halfedge(f);
-    return is_degenerate(m_mesh.source(h), m_mesh.target(h), apex(h));
-  }
-
   std::vector<Face_index> degenerate_faces() const
   {
     std::vector<Face_index> result;
-    for(const Face_index f : m_mesh.faces())
-      if(is_degenerate(f))
+    for(const Face_index f : m_mesh.connectivity().faces())
+      if(m_mesh.is_degenerate(f))
         result.push_back(f);
     return result;
   }
 
   void repair(const Face_index f)
   {
-    Halfedge_index shortest = m_mesh.halfedge(f), longest = shortest;
-    for(const Halfedge_index h : CGAL::halfedges_around_face(m_mesh.halfedge(f), m_mesh))
+    const auto sides = m_mesh.shortest_and_longest_side(f);
+    const Halfedge_index shortest = sides.first, longest = sides.second;
+    if(m_mesh.is_short(shortest))
     {
-      if(length(h) < length(shortest))
-        shortest = h;
-      if(length(h) > length(longest))
-        longest = h;
+      for(const Halfedge_index h : {shortest, m_mesh.connectivity().opposite(shortest)})
+        if(m_mesh.is_collapse_legal(h))
+          return m_mesh.collapse(h);
     }
-    if(length(shortest) > m_resolution)
-      flip(longest);
-    else if(!collapse(shortest))
-      collapse(m_mesh.opposite(shortest));
+    else if(m_mesh.is_flip_legal(longest) && is_flip_of_use(longest))
+      m_mesh.flip(longest);
   }
 
-  bool is_feature(const Halfedge_index h) const
+  // of the longest side of a degenerate face
+  bool is_flip_of_use(const Halfedge_index h) const
   {
-    return m_mark[m_mesh.edge(h)] >= MARKED_PATCH_BORDER || m_mesh.is_border(m_mesh.edge(h));
-  }
-
-  // A vertex of a feature may only move along it: two features that touch are not merged.
-  bool collapse(const Halfedge_index h)
-  {
-    const Vertex_index s = m_mesh.source(h);
-    if(m_is_kept[s])
-      return false;
-    if(!is_feature(h))
-      for(const Halfedge_index g : CGAL::halfedges_around_target(s, m_mesh))
-        if(is_feature(g))
-          return false;
-    if(!is_collapse_manifold(h, m_mesh))
-      return false;
-    m_repairs.push_back({Repair::COLLAPSE, int(s), int(m_mesh.target(h))});
-
-    std::vector<std::pair<Vertex_index, Edge_mark> > merged;
-    for(const Halfedge_index g : {h, m_mesh.opposite(h)})
-      if(!m_mesh.is_border(g))
-        merged.push_back(std::make_pair(apex(g), (std::max)(m_mark[m_mesh.edge(m_mesh.next(g))],
-                                                             m_mark[m_mesh.edge(m_mesh.prev(g))])));
-    const Vertex_index t = CGAL::Euler::collapse_edge(m_mesh.edge(h), m_mesh);
-    for(const auto& edge : merged)
-      m_mark[m_mesh.edge(m_mesh.halfedge(edge.first, t))] = edge.second;
-    return true;
-  }
-
-  bool flip(const Halfedge_index h)
-  {
-    const Halfedge_index o = m_mesh.opposite(h);
-    if(is_feature(h))
-      return false;
-    const Vertex_index a = m_mesh.source(h), b = m_mesh.target(h), c = apex(h), d = apex(o);
-    if(c == d || (m_is_kept[a] && m_is_kept[b]) || m_mesh.halfedge(c, d) != Connectivity::null_halfedge())
-      return false;
-    if(is_degenerate(m_mesh.face(o)))
+    const auto& mesh = m_mesh.connectivity();
+    const Halfedge_index o = mesh.opposite(h);
+    const Vertex_index a = mesh.source(h), b = mesh.target(h), c = m_mesh.apex(h), d = m_mesh.apex(o);
+    if(m_mesh.is_degenerate(mesh.face(o)))
     {
       // four points on a line: the edges become shorter
       constexpr double noticeable = 1. - 1e-9;
-      if(!((point(d) - point(c)).norm() < noticeable * length(h)))
-        return false;
+      return (m_mesh.point(d) - m_mesh.point(c)).norm() < noticeable * m_mesh.length(h);
     }
-    else
-    {
-      const Vector normal = area_vector(b, a, d);
-      if(is_degenerate(a, d, c) || is_degenerate(d, b, c)
-         || !(normal.dot(area_vector(a, d, c)) > 0. && normal.dot(area_vector(d, b, c)) > 0.))
-        return false;
-    }
-    m_repairs.push_back({Repair::FLIP, int(a), int(b)});
-    CGAL::Euler::flip_edge(h, m_mesh);
-    return true;
+    const Vector normal = m_mesh.area_vector(o);
+    return !m_mesh.is_degenerate(a, d, c) && !m_mesh.is_degenerate(d, b, c)
+        && normal.dot(m_mesh.area_vector(a, d, c)) > 0. && normal.dot(m_mesh.area_vector(d, b, c)) > 0.;
   }
 };
 
 // `Planner` is `Repair_planner`: a template for the same reason as `make_model()`.
 template <typename Planner>
 Repaired_triangles repair_triangles(const Indexed_triangles& input, const Side_marks& side_marks, const double resolution,
-                                    const std::vector<char>& is_free, const std::vector<char>& is_constrained)
+                                    const double largest_rise, const std::vector<char>& is_free,
+                                    const std::vector<char>& is_constrained)
 {
-  return Planner(input, side_marks, resolution, is_free, is_constrained)();
+  return Planner(input, side_marks, resolution, largest_rise, is_free, is_constrained)();
 }
 
 } // namespace internal

@@ -19,6 +19,8 @@
 
 #include <boost/container/static_vector.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -27,7 +29,29 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Replaces the copy of the mesh, not the mesh, by one without the degenerate faces that can be repaired, and
+template <typename TriangleMesh, typename GeomTraits>
+bool has_folded_face(const Input_mesh<TriangleMesh, GeomTraits>& input)
+{
+  const TriangleMesh& tm = input.tmesh;
+  auto number = get(CGAL::dynamic_face_property_t<int>(), tm);
+  std::vector<Vector> normals;
+  for(int f = 0; f < input.triangles.number_of_faces(); ++f)
+  {
+    put(number, input.face_descriptors[f], f);
+    normals.push_back(input.triangles.area_vector(f));
+  }
+  for(int f = 0; f < input.triangles.number_of_faces(); ++f)
+    if(is_folded_over(normals[f], [&](const auto& visit)
+       {
+         for(const auto h : CGAL::halfedges_around_face(halfedge(input.face_descriptors[f], tm), tm))
+           if(!is_border(opposite(h, tm), tm) && !visit(normals[get(number, face(opposite(h, tm), tm))]))
+             return;
+       }))
+      return true;
+  return false;
+}
+
+// Replaces the copy of the mesh, not the mesh, by one without the degenerate and folded faces that can be repaired, and
 // drops the marks of the faces that are gone. Returns the changes.
 template <typename TriangleMesh, typename GeomTraits, typename Pack>
 std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
@@ -41,7 +65,7 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
   const std::size_t number = count_degenerate_faces(input.triangles, resolution);
   if(number == input.face_descriptors.size())
     throw std::invalid_argument("all faces are degenerate, from face 0 on: a surface without area has no shape");
-  if(number == 0)
+  if(number == 0 && !has_folded_face(input))
     return std::vector<Repair>();
 
   const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
@@ -53,10 +77,17 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
     for(int k = 0; k < 3; ++k)
       if(input.side_marks[f][k] == MARKED_PROTECTED)
         is_constrained[input.triangles.triangles[f][k]] = is_constrained[input.triangles.triangles[f][next(k)]] = true;
+  // of the bounds of the distance that the user gives
+  constexpr double part_of_bound = 0.1, infinity = std::numeric_limits<double>::infinity();
+  const double largest_rise =
+    part_of_bound * (std::min<double>)(choose_parameter(get_parameter(pack, internal_np::maximum_deviation), infinity),
+                                       choose_parameter(get_parameter(pack, internal_np::maximum_displacement), infinity));
   const Repaired_triangles repaired = repair_triangles<Repair_planner>(input.triangles, input.side_marks, resolution,
-                                                                       is_remeshed, is_constrained);
+                                                                       largest_rise, is_remeshed, is_constrained);
   report.number_of_degenerate_input_faces = repaired.number_of_degenerate_faces;
-  report.number_of_unrepaired_faces = repaired.number_of_degenerate_faces_left;
+  report.number_of_folded_input_faces = repaired.number_of_folded_faces;
+  report.number_of_unrepaired_faces = repaired.number_of_degenerate_faces_left + repaired.number_of_folded_faces_left;
+  report.largest_unfolding = repaired.highest_rise;
 
   input.triangles.triangles = repaired.triangles;
   input.side_marks = repaired.side_marks;
