@@ -191,6 +191,7 @@ void test_refusals()
   for(const double scale : {1e-60, 1e60, 1e200, 1e-300})
     expect_refusal(tetrahedron(scale), params::default_values(), "diameter");
   expect_refusal(tetrahedron(), params::approximation_error(0.01).maximum_edge_length(1e-16), "maximum_edge_length");
+  expect_refusal(tetrahedron(), params::approximation_error(0.01).maximum_number_of_faces(-1), "maximum_number_of_faces");
   expect_refusal(tetrahedron(), params::approximation_error(0.01).maximum_running_time(-1.), "maximum_running_time");
 }
 
@@ -327,6 +328,20 @@ void test_unfolding()
 
 void test_accepted_as_they_are()
 {
+  // sizes without an end are as those beyond the mesh, and an isolated vertex far away has nothing to do with them
+  for(const double length : {1e100, std::numeric_limits<double>::infinity()})
+  {
+    Surface_mesh mesh = grid(8, 0.);
+    mesh.add_vertex(Point_3(1e14, 0., 0.));
+    const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).maximum_edge_length(length));
+    assert(report.number_of_faces == 2 && report.smallest_quality > 0.7);
+    mesh = grid(8, 0.3);
+    Surface_mesh other = mesh;
+    other.add_vertex(Point_3(1e14, 0., 0.));
+    PMP::hermite_diffuse_remesh(mesh);
+    assert(PMP::hermite_diffuse_remesh(other).number_of_faces == mesh.number_of_faces());
+  }
+
   // isolated vertices stay
   Surface_mesh mesh = tetrahedron();
   const auto isolated = mesh.add_vertex(Point_3(7., 8., 9.));

@@ -49,6 +49,15 @@ void test_cube()
   // a node per side of the cube and corner of it
   assert(cube.cut_mesh.number_of_nodes() == 24 && cube.cut_mesh.number_of_patches() == 6);
 
+  // areas of tiny cubes are the squares of their lengths, and angles are found from products of areas
+  for(const double scale : {1e-50, 1e50})
+  {
+    Indexed_triangles scaled = read_indexed("cube.off");
+    for(Vector& p : scaled.points)
+      p *= scale;
+    assert(Classification(scaled).number(SHARP_EDGE) == 12);
+  }
+
   const Classification smooth(read_indexed("cube.off"), 180., 180., 180.);
   assert(smooth.number(INTERIOR_EDGE) == 18 && smooth.number(SURFACE_VERTEX) == 8);
   assert(smooth.cut_mesh.number_of_nodes() == 8 && smooth.cut_mesh.number_of_patches() == 1);

@@ -80,6 +80,30 @@ void test_slot()
   }
 }
 
+// An arc of which the first segment may not turn, as at the corner with a chord: only this one is straight. It takes no
+// longer with many segments: where one after the other became straight it was the square of their number.
+void test_straight_end()
+{
+  for(const int n : {12, 15, 40, 20000})
+  {
+    const double step = 2. * analytic::pi / (n == 12 ? 12 : 15), pitch = n > 15 ? 0.1 : 0.;
+    std::vector<Vector> points;
+    for(int i = 0; i <= n; ++i)
+      points.push_back(Vector(std::cos(step * i), std::sin(step * i), pitch * i));
+    if(n <= 15)
+      points.pop_back();
+    const Feature_spline spline(points, false, {{0.1, largest_credible_turn}});
+    for(int i = 0; i < 10; ++i)
+      for(int segment = 0; segment < spline.number_of_segments(); ++segment)
+      {
+        const double u = (i + 0.5) / 10.;
+        const Vector p = spline.point((1. - u) * spline.parameter(segment) + u * spline.parameter(segment + 1));
+        const double error = std::abs(std::hypot(p[0], p[1]) - 1.);
+        assert(error < (segment == 0 ? 1.01 * (1. - std::cos(step / 2.)) : 5e-4));
+      }
+  }
+}
+
 void test_zigzag()
 {
   std::vector<Vector> points;
@@ -154,6 +178,7 @@ int main()
   test_circle_convergence();
   test_arc();
   test_slot();
+  test_straight_end();
   test_zigzag();
   test_bounded_distance();
   test_chaining();

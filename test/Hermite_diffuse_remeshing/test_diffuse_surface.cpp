@@ -3,6 +3,7 @@
 
 #include "archetypes.h"
 #include "irregular_meshes.h"
+#include "is_refused.h"
 
 #include <CGAL/Hermite_diffuse_surface.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_faces.h>
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iostream>
+#include <limits>
 #include <map>
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -218,9 +220,31 @@ void test_order()
   }
 }
 
+// points that have no place, and meshes that are too small or too large for the fits
+void test_refusals()
+{
+  typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+  typedef Kernel::Point_3 Point;
+  const Mesh mesh = make_mesh<Mesh>(analytic::Torus().mesh(500, 1));
+  const CGAL::Hermite_diffuse_surface<Mesh> surface(mesh);
+  for(const double far : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200})
+  {
+    assert(is_refused([&] { surface.locate(Point(far, 0., 0.)); }));
+    assert(is_refused([&] { surface.project(Point(0., far, 0.)); }));
+  }
+  for(const double scale : {1e-60, 1e60})
+  {
+    Mesh scaled = mesh;
+    for(const auto v : vertices(scaled))
+      scaled.point(v) = CGAL::ORIGIN + scale * (mesh.point(v) - CGAL::ORIGIN);
+    assert(is_refused([&] { CGAL::Hermite_diffuse_surface<Mesh> other(scaled); }));
+  }
+}
+
 int main()
 {
   test_archetype();
+  test_refusals();
   test_memory();
   test_order();
 #ifdef CGAL_LINKED_WITH_TBB

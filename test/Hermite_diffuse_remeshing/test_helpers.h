@@ -16,6 +16,7 @@
 #include <cassert>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -78,15 +79,19 @@ long euler_characteristic(const Mesh& mesh)
   return n[0] - n[1] + n[2];
 }
 
-// The corners that the classification finds in a mesh, and the vertices at which the remeshing, in its own order of the
-// faces, cuts closed feature curves
+// The corners that the classification finds in a mesh after its repair, and the vertices at which the remeshing, in its
+// own order of the faces, cuts closed feature curves. `bound`: of the distance, which the repair keeps
 template <typename Mesh>
-std::vector<analytic::Point> corners(const Mesh& mesh, const double sharp_angle = 40.)
+std::vector<analytic::Point> corners(const Mesh& mesh, const double sharp_angle = 40.,
+                                     const double bound = std::numeric_limits<double>::infinity())
 {
   using namespace HDR::internal;
-  const auto named = pack(params::sharp_dihedral_angle(sharp_angle));
+  const auto named = pack(params::sharp_dihedral_angle(sharp_angle).maximum_displacement(bound));
   auto input = read_input<Kernel>(mesh, named);
   order_for_locality(get(CGAL::dynamic_face_property_t<int>(), mesh), input);
+  std::vector<char> is_remeshed(input.face_descriptors.size(), true);
+  HDR::Remeshing_report<Mesh> report;
+  plan_repairs(input, named, is_remeshed, report);
   const Indexed_triangles& triangles = input.triangles;
   const Input_model model(triangles, read_feature_options(named), Model_options(),
                           [](int, int) { return HDR::internal::UNMARKED_EDGE; }, [](int) { return false; });
@@ -111,14 +116,15 @@ bool has_all_points(const Mesh& mesh, const std::vector<analytic::Point>& points
 
 // what every result must satisfy
 template <typename Mesh>
-void check_result(const Mesh& input, const Mesh& output, const double sharp_angle = 40.)
+void check_result(const Mesh& input, const Mesh& output, const double sharp_angle = 40.,
+                  const double bound = std::numeric_limits<double>::infinity())
 {
   assert(CGAL::is_valid_polygon_mesh(output));
   assert(CGAL::is_triangle_mesh(output));
   assert(euler_characteristic(output) == euler_characteristic(input));
   assert(number_of_border_loops(output) == number_of_border_loops(input));
   assert(!PMP::does_self_intersect(output));
-  assert(has_all_points(output, corners(input, sharp_angle)));
+  assert(has_all_points(output, corners(input, sharp_angle, bound)));
 }
 
 // same connectivity, element by element, and points that differ by at most `tolerance`

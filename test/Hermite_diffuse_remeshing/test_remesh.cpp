@@ -548,7 +548,7 @@ void test_folded_border()
   Surface_mesh output = input;
   const auto report = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.02)
     .maximum_deviation(0.001 * diagonal).minimum_edge_length(0.003 * diagonal).maximum_edge_length(0.1 * diagonal));
-  check_result(input, output);
+  check_result(input, output, 40., 0.001 * diagonal);
   std::cout << "  smallest quality " << report.smallest_quality << std::endl;
   assert(report.smallest_quality > 0.13);
 
@@ -560,7 +560,8 @@ void test_folded_border()
     const auto finer = PMP::hermite_diffuse_remesh(output, params::approximation_error(error).gradation(1.1));
     check_result(input, output);
     std::cout << "  smallest quality " << finer.smallest_quality << std::endl;
-    assert(finer.smallest_quality > 0.13);
+    // one of the faces is folded over and unfolded; at corners of 6.5 and 8.5 degrees no triangle is better than 0.19, 0.24
+    assert(finer.number_of_unrepaired_faces == 0 && finer.smallest_quality > 0.18);
   }
 
   // Faces beyond the border, in the plane of those at it, deviate; and the splits that they ask for make none flat.
@@ -569,7 +570,7 @@ void test_folded_border()
     output = input;
     const auto bounded = PMP::hermite_diffuse_remesh(output, params::approximation_error(0.0105)
       .maximum_deviation(1.2e-3 * diagonal).maximum_displacement(displacement * diagonal));
-    check_result(input, output);
+    check_result(input, output, 40., displacement * diagonal);
     const double distance = largest_distance(output, input);
     std::cout << "  smallest quality " << bounded.smallest_quality << ", distance " << distance / diagonal
               << " of the diagonal, measured " << bounded.largest_deviation / diagonal << std::endl;
@@ -727,6 +728,23 @@ void test_size_field()
     assert(sizes[v] <= 1.05 * field(mesh.point(v)) && sizes[v] > 0.);
 }
 
+// edges are counted once each, on borders and inside
+void test_size_conformity()
+{
+  std::cout << "size conformity" << std::endl;
+  Surface_mesh mesh = read_data<Surface_mesh>("mannequin-devil.off");
+  auto sizes = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:size").first;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.1).vertex_size_map(sizes));
+  double number = 0., number_within = 0.;
+  for(const auto e : edges(mesh))
+  {
+    const double size = (sizes[mesh.vertex(e, 0)] + sizes[mesh.vertex(e, 1)]) / 2.;
+    number_within += std::abs(std::log2(PMP::edge_length(e, mesh) / size)) <= 1.;
+    ++number;
+  }
+  assert(std::abs(report.size_conformity - number_within / number) < 0.5 / number);
+}
+
 struct Stopping_visitor
   : public HDR::Default_remeshing_visitor<Surface_mesh>
 {
@@ -787,6 +805,34 @@ void test_output_maps()
                                              + l[2] * from_origin(input.target(input.next(h))));
     // the model and the facets of a fine input are close to each other
     assert(CGAL::squared_distance(on_input, output.point(v)) < CGAL::square(0.01));
+  }
+  // also when a stop has come while faces were moving
+  for(const bool is_stopped : {false, true})
+  {
+    Surface_mesh mesh = input;
+    auto origin = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:origin", std::size_t(-1)).first;
+    Stopping_visitor visitor;
+    visitor.operations_left = is_stopped ? 20000 : 1000000;
+    const auto r = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.005).face_origin_map(origin)
+                                                       .visitor(std::ref(visitor)));
+    assert((r.stop_reason == HDR::STOPPED_BY_VISITOR) == is_stopped);
+    std::size_t number_beside = 0;
+    for(const auto f : faces(mesh))
+    {
+      const auto distance_to = [&](const Surface_mesh::Face_index g)
+      {
+        const auto h = input.halfedge(g), k = mesh.halfedge(f);
+        return CGAL::squared_distance(
+          CGAL::centroid(mesh.point(mesh.source(k)), mesh.point(mesh.target(k)), mesh.point(mesh.target(mesh.next(k)))),
+          Kernel::Triangle_3(input.point(input.source(h)), input.point(input.target(h)),
+                             input.point(input.target(input.next(h)))));
+      };
+      const auto of_origin = distance_to(ranked.at(origin[f]));
+      const auto around = input.faces_around_face(input.halfedge(ranked.at(origin[f])));
+      number_beside += std::any_of(around.begin(), around.end(), [&](const auto g)
+                                   { return g != Surface_mesh::null_face() && distance_to(g) < 0.999 * of_origin; });
+    }
+    assert(number_beside < 0.015 * double(mesh.number_of_faces()));
   }
   double largest = 0.;
   for(const auto f : faces(output))
@@ -1027,6 +1073,7 @@ int main(int argc, char** argv)
   test_size_field();
   test_visitor();
   test_output_maps();
+  test_size_conformity();
   test_attribute_transfer();
   test_outlines();
   test_close_sheets();

@@ -173,7 +173,17 @@ void test_reading()
     assert(is_refused([&] { PMP::hermite_diffuse_remesh(mesh, only(field)); }));
     assert(numbers(mesh) == numbers(input));
   }
+  // what is no number does not hide behind another field
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for(const double other : {0.3, infinity})
+  {
+    const HDR::Constant_size_field good(other), bad(nan);
+    assert(is_refused([&] { PMP::hermite_diffuse_remesh(mesh, only(HDR::minimum_size_field(bad, good))); }));
+    assert(is_refused([&] { PMP::hermite_diffuse_remesh(mesh, only(HDR::minimum_size_field(good, bad))); }));
+  }
   const Size_map none(mesh, only(HDR::Constant_size_field(infinity)));
+  for(const double far : {nan, infinity, 1e200})
+    assert(is_refused([&] { none.size(Point_3(far, 0., 0.)); }));
   assert(none.size(Point_3(0.5, 0.5, 0.)) == 0.25);
 
   const auto bump = [](const double u, const double v)

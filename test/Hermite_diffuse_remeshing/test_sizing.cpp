@@ -163,6 +163,28 @@ void test_gradation_on_large_faces()
   }
 }
 
+// with the gradation 1 all sizes are the smallest: there is nothing to bisect for
+void test_equal_sizes()
+{
+  Indexed_triangles square;
+  square.points = {Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, 1, 0)};
+  square.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  std::size_t number_of_questions = 0;
+  Size_options options;
+  options.minimum_length = 1e-4;
+  options.maximum_length = 0.5;
+  options.gradation = 1.;
+  options.user_size = [&number_of_questions](const Vector& p, const Location&)
+  {
+    ++number_of_questions;
+    return (p - Vector(1, 0, 0)).norm() < 1e-9 ? 0.01 : 0.5;
+  };
+  options.maximum_number_of_probes = 0;
+  const Sized_model sized(square, options);
+  assert(std::abs(sized.sizes({0, {{0.3, 0.3, 0.4}}}) - 0.01) < 1e-12);
+  assert(number_of_questions < 100);
+}
+
 // a flat face between fine rims has a coarse middle
 void test_coarse_middle()
 {
@@ -257,6 +279,7 @@ int main()
   test_laws_in_call();
   test_torus_sizes();
   test_gradation_on_large_faces();
+  test_equal_sizes();
   test_coarse_middle();
   test_budget_with_gradation();
   test_strip_beside_long_face();

@@ -256,6 +256,38 @@ void test_parameters()
     assert(CGAL::squared_distance(p, output.points[entry.first]) < 1e-12);
   }
 
+  // a stop before the first change
+  locations.clear();
+  origins.clear();
+  output = input;
+  PMP::hermite_diffuse_remesh_triangle_soup(output.points, output.triangles,
+    params::maximum_edge_length(0.08).maximum_running_time(1e-9).vertex_location_map(boost::make_assoc_property_map(locations))
+      .face_origin_map(boost::make_assoc_property_map(origins)));
+  assert(output.triangles == input.triangles && origins.size() == input.triangles.size());
+  for(const auto& entry : origins)
+    assert(entry.first == entry.second);
+  for(const auto& entry : locations)
+    for(int k = 0; k < 3; ++k)
+      assert(entry.second.second[k] == (input.triangles[entry.second.first][k] == entry.first ? 1. : 0.));
+
+  // the size field is asked at places of the triangles as they are given, whatever their orientation
+  Soup turned = input;
+  for(std::size_t i = 0; i < turned.triangles.size(); i += 3)
+    std::swap(turned.triangles[i][1], turned.triangles[i][2]);
+  const std::vector<Point_3> points = turned.points;
+  const std::vector<Triangle> triangles = turned.triangles;
+  int number_of_questions = 0;
+  const auto field = [&](const Point_3& p, const std::size_t f, const std::array<double, 3>& l)
+  {
+    const Triangle& t = triangles[f];
+    const Point_3 q = CGAL::barycenter(points[t[0]], l[0], points[t[1]], l[1], points[t[2]], l[2]);
+    assert(CGAL::squared_distance(p, q) < 1e-20);
+    ++number_of_questions;
+    return 0.1;
+  };
+  PMP::hermite_diffuse_remesh_triangle_soup(turned.points, turned.triangles, params::size_field(field));
+  assert(number_of_questions > 100);
+
   const auto is_refused = [](Soup soup)
   {
     const Soup copy = soup;

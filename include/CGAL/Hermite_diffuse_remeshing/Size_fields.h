@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cmath>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -154,11 +155,13 @@ public:
   template <typename Point, typename Face, typename Coordinates>
   double operator()(const Point& p, const Face f, const Coordinates& coordinates) const
   {
-    return std::apply([&](const SizeFields&... fields)
-    {
-      return (std::min)({std::numeric_limits<double>::infinity(),
-                         internal::size_of_field(fields, p, f, coordinates)...});
-    }, m_fields);
+    double smallest = std::numeric_limits<double>::infinity();
+    // what is no number is not dropped, but refused by the remeshing
+    const auto lower = [&smallest](const double size)
+    { smallest = std::isnan(smallest) || size >= smallest ? smallest : size; };
+    std::apply([&](const SizeFields&... fields) { (lower(internal::size_of_field(fields, p, f, coordinates)), ...); },
+               m_fields);
+    return smallest;
   }
 };
 

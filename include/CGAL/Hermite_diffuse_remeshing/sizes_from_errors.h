@@ -41,7 +41,7 @@ public:
   Error_distribution(const Indexed_triangles& triangles, const std::vector<double>& errors, const double order)
     : m_triangles(triangles), m_order(order)
   {
-    check_positive_parameter("the order of the error", order);
+    check_finite_parameter("the order of the error", order);
     for(const double error : errors)
     {
       if(!(error >= 0.) || !std::isfinite(error))
@@ -57,7 +57,7 @@ public:
   // and that gives the error t: t^2 = n e^2
   double power_for_error(const double target) const
   {
-    return std::pow(target * target / m_sum_of_powers, 1. / m_order);
+    return std::pow(target / std::sqrt(m_sum_of_powers), 2. / m_order);
   }
 
   // Sizes at the vertices. An equilateral triangle of size h has the area sqrt(3)/4 h^2. At a vertex the elements
@@ -154,7 +154,7 @@ void sizes_for_number_of_elements(const TriangleMesh& tmesh, const FaceErrorMap&
                                   const double number_of_elements, const VertexSizeMap& sizes,
                                   const NamedParameters& np = parameters::default_values())
 {
-  internal::check_positive_parameter("the number of elements", number_of_elements);
+  internal::check_finite_parameter("the number of elements", number_of_elements);
   internal::write_sizes(tmesh, errors, order, sizes, np, [=](const internal::Error_distribution& distribution)
                         { return distribution.power_for_number(number_of_elements); });
 }
@@ -183,7 +183,7 @@ void sizes_for_error(const TriangleMesh& tmesh, const FaceErrorMap& errors, cons
                      const double target_error, const VertexSizeMap& sizes,
                      const NamedParameters& np = parameters::default_values())
 {
-  internal::check_positive_parameter("the target error", target_error);
+  internal::check_finite_parameter("the target error", target_error);
   internal::write_sizes(tmesh, errors, order, sizes, np, [=](const internal::Error_distribution& distribution)
                         { return distribution.power_for_error(target_error); });
 }

@@ -60,6 +60,36 @@ Side_marks read_soup_marks(const Indexed_triangles& surface, const FacePatchMap&
   return result;
 }
 
+// with the coordinates in the order of the corners that the triangle had before it was turned
+inline Location location_in_soup(Location location, const std::vector<char>& is_turned)
+{
+  if(is_turned[location.face])
+    std::swap(location.coordinates[1], location.coordinates[2]);
+  return location;
+}
+
+// Of a soup that a stop came too early to change.
+template <typename TriangleRange, typename Pack>
+void write_output_maps_of_soup(const TriangleRange& triangles, const Pack& pack)
+{
+  using parameters::get_parameter;
+  CGAL_USE(pack);
+  std::size_t f = 0;
+  for(const auto& triangle : triangles)
+  {
+    if constexpr(is_given<Pack, internal_np::face_origin_map_t>())
+      put(get_parameter(pack, internal_np::face_origin_map), f, f);
+    if constexpr(is_given<Pack, internal_np::vertex_location_map_t>())
+      for(int k = 0; k < 3; ++k)
+      {
+        Barycentric coordinates = {{0., 0., 0.}};
+        coordinates[k] = 1.;
+        put(get_parameter(pack, internal_np::vertex_location_map), std::size_t(triangle[k]), std::make_pair(f, coordinates));
+      }
+    ++f;
+  }
+}
+
 // Writes the mesh back as a soup, the copies of a vertex as one, and what is known of vertices and triangles, which
 // the report names by their indices from then on.
 template <typename Mesh, typename Deviation, typename LabelOfFace, typename FacePatchMap, typename Pack,
@@ -89,9 +119,7 @@ void write_soup(const Mesh& mesh, const std::vector<Deviation>& deviations, cons
       continue;
     const std::size_t i = rank[mesh.index(v)] = new_points.size();
     new_points.push_back(tm.point(v));
-    Location location = mesh.site(v).location;
-    if(is_turned[location.face])
-      std::swap(location.coordinates[1], location.coordinates[2]);
+    const Location location = location_in_soup(mesh.site(v).location, is_turned);
     put(location_map, i, std::make_pair(std::size_t(location.face), location.coordinates));
     put(size_map, i, mesh.size(v));
   }
@@ -104,8 +132,7 @@ void write_soup(const Mesh& mesh, const std::vector<Deviation>& deviations, cons
                                                  rank[mesh.index(target(next(h, tm), tm))]}};
     typename TriangleRange::value_type triangle{corners[0], corners[1], corners[2]};
     new_triangles.push_back(triangle);
-    put(labels, i, get(label_of_face, f));
-    put(origin_map, i, std::size_t(mesh.hint(f)));
+    put(origin_map, i, std::size_t(mesh.face_of_reference(f)));
   }
   for(const Deviation& entry : deviations)
     put(deviation_map, rank_of_face[std::size_t(entry.face)], entry.deviation);
@@ -117,6 +144,9 @@ void write_soup(const Mesh& mesh, const std::vector<Deviation>& deviations, cons
   for(Low_quality_face<face_descriptor>& entry : report.low_quality_faces)
     renumber(entry.face);
   report.number_of_vertices = new_points.size();
+  // what is read, too, comes last: everything before may throw
+  for(const auto f : faces(tm))
+    put(labels, rank_of_face[std::size_t(f)], get(label_of_face, f));
   points = std::move(new_points);
   triangles = std::move(new_triangles);
 }
@@ -266,9 +296,12 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   Indexed_triangles surface = read_soup(points, triangles, gt);
   std::vector<std::size_t> triangle_indices(surface.number_of_faces());
   std::iota(triangle_indices.begin(), triangle_indices.end(), std::size_t(0));
-  const Size_options size_options = read_size_options(pack, gt, surface, triangle_indices);
+  Size_options size_options = read_size_options(pack, gt, surface, triangle_indices);
 
   const std::vector<char> is_turned = orient_sheets(surface);
+  if(size_options.user_size)
+    size_options.user_size = [&is_turned, user_size = size_options.user_size](const Vector& p, const Location& location)
+    { return user_size(p, location_in_soup(location, is_turned)); };
   const Side_marks marks = read_soup_marks(surface, labels, pack);
   Mesh mesh;
   make_soup_mesh(surface, gt, mesh);
@@ -291,6 +324,7 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   const User_mesh_with_maps<Mesh, VPM, ECM, std::decay_t<decltype(label_of_face)>, GT>
     user(mesh, watched, get(CGAL::vertex_point, mesh), ECM(), label_of_face, gt);
   const bool is_guarded = choose_parameter(get_parameter(pack, internal_np::do_self_intersection_tests), true);
+  bool is_written = false;
   run_stages<User_mesh<Mesh> >(
     user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
     Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations), is_guarded},
@@ -303,8 +337,13 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
     },
     [] {},
     [&](const auto& working_mesh, const auto& deviations)
-    { write_soup(working_mesh, deviations, is_turned, label_of_face, labels, pack, points, triangles, report); },
+    {
+      write_soup(working_mesh, deviations, is_turned, label_of_face, labels, pack, points, triangles, report);
+      is_written = true;
+    },
     report);
+  if(!is_written)
+    write_output_maps_of_soup(triangles, pack);
   return report;
 }
 

@@ -34,6 +34,16 @@ struct Location
   Barycentric coordinates = {{1., 0., 0.}};
 };
 
+// corner k of face f is the corner 3f + k
+inline Location location_of_corner(const int corner)
+{
+  Location location;
+  location.face = corner / 3;
+  location.coordinates = {{0., 0., 0.}};
+  location.coordinates[corner % 3] = 1.;
+  return location;
+}
+
 inline int next(const int corner) { return corner == 2 ? 0 : corner + 1; }
 inline int previous(const int corner) { return corner == 0 ? 2 : corner - 1; }
 
@@ -65,9 +75,18 @@ struct Indexed_triangles
   }
 };
 
+// Scaled by a power of two, which rounds nothing, to a length near 1: area vectors of small meshes are the squares of
+// small lengths, and the square of their product may vanish.
+inline Vector scaled_to_one(const Vector& v)
+{
+  const double largest = v.cwiseAbs().maxCoeff();
+  return largest > 0. && std::isfinite(largest) ? Vector(v * std::ldexp(1., -std::ilogb(largest))) : v;
+}
+
 inline double angle_between(const Vector& u, const Vector& v)
 {
-  return std::atan2(u.cross(v).norm(), u.dot(v));
+  const Vector a = scaled_to_one(u), b = scaled_to_one(v);
+  return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
 // Twice the largest distance of a vertex to the centroid of the surface. Unlike the diagonal of

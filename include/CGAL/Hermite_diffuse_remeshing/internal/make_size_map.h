@@ -11,10 +11,12 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Input_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_number_of_faces.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -27,8 +29,10 @@ template <typename Pack>
 std::size_t read_face_budget(const Pack& pack, const std::size_t number_of_input_faces)
 {
   constexpr std::size_t default_number = 1000000, default_multiple = 10;
-  const std::size_t budget =
+  const auto number =
     parameters::choose_parameter(parameters::get_parameter(pack, internal_np::maximum_number_of_faces), std::size_t(0));
+  check_parameter("maximum_number_of_faces", double(number), 0., (std::numeric_limits<double>::max)());
+  const std::size_t budget = static_cast<std::size_t>(number);
   return budget > 0 ? budget : (std::max)(default_number, default_multiple * number_of_input_faces);
 }
 

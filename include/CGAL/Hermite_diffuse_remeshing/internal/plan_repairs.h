@@ -26,16 +26,18 @@ namespace internal {
 
 // Points that are closer than this may differ by the rounding of their coordinates alone. Coordinates that
 // all fit into single precision come from there, as those of an STL file do.
-inline double resolution_of_coordinates(const std::vector<Vector>& points)
+inline double resolution_of_coordinates(const Indexed_triangles& triangles)
 {
   double largest = 0.;
   bool is_single = true;
-  for(const Vector& p : points)
-  {
-    largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
-    is_single = is_single && p.cwiseAbs().maxCoeff() < double((std::numeric_limits<float>::max)())
-                          && p.cast<float>().cast<double>() == p;
-  }
+  for(const std::array<int, 3>& t : triangles.triangles)
+    for(const int v : t)
+    {
+      const Vector& p = triangles.points[v];
+      largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
+      is_single = is_single && p.cwiseAbs().maxCoeff() < double((std::numeric_limits<float>::max)())
+                            && p.cast<float>().cast<double>() == p;
+    }
   // two points in three coordinates, each rounded by half a unit in the last place: below 2 sqrt(3) halves
   constexpr double halves = 4.;
   return halves / 2. * largest * (is_single ? double(std::numeric_limits<float>::epsilon())

@@ -60,6 +60,7 @@ std::unique_ptr<Model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& in
 
   const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
                                     Static_boolean_property_map<vertex_descriptor, false>());
+  checked_diameter(input.triangles);
   Model_options options = read_model_options(pack);
   options.is_parallel = is_parallel<ConcurrencyTag>();
   return make_model<Model>(input.triangles, read_feature_options(pack), options,

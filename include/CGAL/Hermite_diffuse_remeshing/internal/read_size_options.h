@@ -120,24 +120,15 @@ void read_size_field(const Pack& pack, const GeomTraits& traits, const std::vect
   CGAL_USE(options);
 }
 
-// The diameter of the mesh, which the defaults are relative to.
-inline double checked_diameter(const Indexed_triangles& triangles)
-{
-  // the fourth power of a length must neither overflow nor vanish
-  constexpr double smallest = 1e-50, largest = 1e50;
-  const double diameter = model_diameter(triangles);
-  check_parameter("the diameter of the mesh", diameter, smallest, largest);
-  return diameter;
-}
-
 // Shorter edges than this would be made of the rounding of the coordinates.
 template <typename FT>
 double shortest_length(const Indexed_triangles& triangles)
 {
   constexpr double units_in_last_place = 64.;
   double largest = 0.;
-  for(const Vector& p : triangles.points)
-    largest = (std::max)(largest, p.cwiseAbs().maxCoeff());
+  for(const std::array<int, 3>& t : triangles.triangles)
+    for(const int v : t)
+      largest = (std::max)(largest, triangles.points[v].cwiseAbs().maxCoeff());
   return units_in_last_place * double(std::numeric_limits<FT>::epsilon()) * largest;
 }
 
@@ -149,6 +140,8 @@ Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const
   using parameters::get_parameter;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double smallest_part = 1e-4, largest_part = 0.1, largest_part_of_curve_radius = 0.2;
+  // sizes beyond the diameter are all the same, and infinite ones cannot be interpolated
+  constexpr double largest_useful_multiple = 10.;
   const double diameter = checked_diameter(triangles);
   const double shortest = shortest_length<typename GeomTraits::FT>(triangles);
   Size_options options;
@@ -173,8 +166,8 @@ Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const
     options.maximum_length = (std::max)(largest_part * diameter, options.minimum_length);
   if(options.minimum_length > options.maximum_length)
     refuse("minimum_edge_length", options.minimum_length, "it must not be larger than maximum_edge_length");
-  options.minimum_length = (std::max)(options.minimum_length, shortest);
-  options.maximum_length = (std::max)(options.maximum_length, shortest);
+  for(double* const length : {&options.minimum_length, &options.maximum_length})
+    *length = (std::min)((std::max)(*length, shortest), largest_useful_multiple * diameter);
   return options;
 }
 

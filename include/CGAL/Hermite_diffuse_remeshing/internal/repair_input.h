@@ -61,7 +61,7 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
   using parameters::get_parameter;
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
 
-  const double resolution = resolution_of_coordinates(input.triangles.points);
+  const double resolution = resolution_of_coordinates(input.triangles);
   const std::size_t number = count_degenerate_faces(input.triangles, resolution);
   if(number == input.face_descriptors.size())
     throw std::invalid_argument("all faces are degenerate, from face 0 on: a surface without area has no shape");

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_VALIDATE_INPUT_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_VALIDATE_INPUT_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -53,6 +54,23 @@ inline void check_positive_parameter(const char* name, const double value)
 {
   if(!(value > 0.))
     refuse(name, value, "it must be larger than zero");
+}
+
+// larger than zero, and not infinite
+inline void check_finite_parameter(const char* name, const double value)
+{
+  check_positive_parameter(name, value);
+  check_parameter(name, value, 0., (std::numeric_limits<double>::max)());
+}
+
+// The diameter of the mesh, which the defaults are relative to. Areas are multiplied, and the squares of lengths fitted.
+inline double checked_diameter(const Indexed_triangles& triangles)
+{
+  // the fourth power of a length must neither overflow nor vanish
+  constexpr double smallest = 1e-50, largest = 1e50;
+  const double diameter = model_diameter(triangles);
+  check_parameter("the diameter of the mesh", diameter, smallest, largest);
+  return diameter;
 }
 
 // The user's mesh as indexed triangles: face i of the result is the i-th of faces(tmesh), with its

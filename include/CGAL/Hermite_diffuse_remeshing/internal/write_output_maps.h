@@ -67,7 +67,7 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
         put(origin_map, face_descriptors[i], face_ranks[i]);
     for(const face_descriptor f : faces(mesh.tmesh()))
       if(mesh.is_remeshed(f))
-        put(origin_map, f, face_ranks[mesh.hint(f)]);
+        put(origin_map, f, face_ranks[mesh.face_of_reference(f)]);
   }
   for(const Deviation& entry : deviations)
     put(deviation_map, entry.face, entry.deviation);
@@ -87,7 +87,7 @@ void write_output_maps_of_input(const InputMesh& input, const Pack& pack)
         put(get_parameter(pack, internal_np::vertex_location_map),
             input.vertex_descriptors[input.triangles.triangles[f][k]],
             std::make_pair(input.face_ranks[f],
-                           Size_sources::location_of_corner(static_cast<int>(3 * f) + k).coordinates));
+                           location_of_corner(static_cast<int>(3 * f) + k).coordinates));
   }
 }
 

@@ -24,8 +24,9 @@ namespace internal {
 // A C1 cubic spline through the points of a chain, parametrised by (nearly) its arc length.
 // The tangent at a point is that of the circle through it and its two neighbours, so points on a
 // circle give the circle to the sixth order of the angle; at an end the circle's tangent there.
-// Where no arc is credible the segment is straight, and its neighbours become tangent to it; where that would make
-// one of them turn too much, it is straight, too: the chain is a polyline there.
+// Where no arc is credible the segment is straight, and its neighbours become tangent to it. Where that would make one of
+// them turn too much it keeps the circle of its other end, and the spline has a kink; if there is no such circle it is
+// straight, too: the chain is a polyline there.
 // The distance of the points to those of the chords may be bounded; the curvatures stay those of the chain.
 class Feature_spline
 {
@@ -52,10 +53,11 @@ public:
     const Polyline line(points, is_closed);
     const int ns = line.number_of_segments();
     std::vector<bool> straight = find_straight_segments(line);
+    std::vector<bool> kinks(line.number_of_points(), false);
     std::vector<Vector> start_tangents, end_tangents;
     do
-      find_tangents(line, straight, start_tangents, end_tangents);
-    while(straighten_turned(start_tangents, end_tangents, turns_of_ends, straight));
+      find_tangents(line, straight, kinks, start_tangents, end_tangents);
+    while(reduce_turns(line, start_tangents, end_tangents, turns_of_ends, straight, kinks));
 
     for(int i = 0; i < line.number_of_points(); ++i)
       m_curvatures.push_back(line.curvature(i));
@@ -165,7 +167,8 @@ private:
     return 2. * tangent.dot(d) * d - tangent;
   }
 
-  static void find_tangents(const Polyline& line, const std::vector<bool>& straight,
+  // `kinks`: the points where an arc does not become tangent to a straight segment
+  static void find_tangents(const Polyline& line, const std::vector<bool>& straight, const std::vector<bool>& kinks,
                             std::vector<Vector>& start_tangents, std::vector<Vector>& end_tangents)
   {
     const int ns = line.number_of_segments();
@@ -176,12 +179,17 @@ private:
     for(int i = 0; i < ns; ++i)
     {
       const int before = line.segment(i, -1);
-      if(!line.has_turn(i) || (straight[before] && straight[i]))
+      if(!line.has_turn(i) || (straight[before] && straight[i]) || kinks[i])
         continue;
       const Vector u = line.chord(before), v = line.chord(i);
       end_tangents[before] = start_tangents[i] = straight[before] ? u.stableNormalized()
                                                : straight[i] ? v.stableNormalized() : circle_tangent(u, v);
     }
+    for(int i = 0; i < ns; ++i)
+      if(!straight[i] && line.has_turn(i) && kinks[i])
+        start_tangents[i] = mirrored(end_tangents[i], line.chord(i));
+      else if(!straight[i] && line.has_turn(line.end_point(i)) && kinks[line.end_point(i)])
+        end_tangents[i] = mirrored(start_tangents[i], line.chord(i));
     if(!line.is_closed() && ns > 1)
     {
       if(!straight[0])
@@ -191,20 +199,31 @@ private:
     }
   }
 
-  // makes the segments straight that turn by too much; was there one?
-  static bool straighten_turned(const std::vector<Vector>& start_tangents, const std::vector<Vector>& end_tangents,
-                                const std::array<double, 2>& turns_of_ends, std::vector<bool>& straight)
+  // Gives the segments that turn by too much a kink, or makes them straight; was there one? A kink is at a straight
+  // neighbor, if the other neighbor is an arc.
+  static bool reduce_turns(const Polyline& line, const std::vector<Vector>& start_tangents,
+                           const std::vector<Vector>& end_tangents, const std::array<double, 2>& turns_of_ends,
+                           std::vector<bool>& straight, std::vector<bool>& kinks)
   {
     bool is_changed = false;
-    for(std::size_t i = 0; i < straight.size(); ++i)
+    const std::vector<bool> were_straight = straight;
+    const auto is_straight = [&](const int segment) { return segment == -1 || were_straight[segment]; };
+    for(int i = 0; i < line.number_of_segments(); ++i)
     {
       double largest = largest_credible_turn;
       if(i == 0)
         largest = (std::min)(largest, turns_of_ends[0]);
-      if(i + 1 == straight.size())
+      if(i + 1 == line.number_of_segments())
         largest = (std::min)(largest, turns_of_ends[1]);
-      if(!straight[i] && angle_between(start_tangents[i], end_tangents[i]) > largest)
-        straight[i] = is_changed = true;
+      if(straight[i] || angle_between(start_tangents[i], end_tangents[i]) <= largest)
+        continue;
+      is_changed = true;
+      const int before = line.segment(i, -1), after = line.segment(i, 1);
+      const int at = is_straight(before) ? i : line.end_point(i);
+      if(is_straight(before) == is_straight(after) || (at == i ? before : after) == -1 || kinks[at])
+        straight[i] = true;
+      else
+        kinks[at] = true;
     }
     return is_changed;
   }

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Model_choices.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
 
 #include <Eigen/Cholesky>
 
@@ -80,7 +81,8 @@ struct Basic_shape
     return distance(p, normal);
   }
 
-  // largest absolute curvature at a point of the surface
+  // largest absolute curvature at a point of the surface; of a torus that of its tube, which that of the circle around the
+  // axis exceeds inside of a fat one
   double curvature(const Vector& p) const
   {
     const Vector v = p - point;
@@ -105,7 +107,7 @@ struct Basic_shape
     const int n = degrees_of_freedom();
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
-      const Vector u = any_unit_normal(direction), w = direction.cross(u);
+      const Vector u = any_normal(direction), w = direction.cross(u);
       Eigen::Matrix<double, 7, 7> matrix = Eigen::Matrix<double, 7, 7>::Zero();
       Row rhs = Row::Zero();
       double scale = 0.;
@@ -134,13 +136,6 @@ private:
   {
     const double norm = v.norm();
     return norm > 0. ? Vector(v / norm) : Vector(Vector::Zero());
-  }
-
-  static Vector any_unit_normal(const Vector& v)
-  {
-    int smallest = 0;
-    v.cwiseAbs().minCoeff(&smallest);
-    return v.cross(Vector::Unit(smallest)).normalized();
   }
 
   Eigen::Matrix<double, 7, 1> derivatives(const Vector& p, const Vector& normal, const Vector& u, const Vector& w) const

@@ -44,18 +44,6 @@ struct Monge_form
 
   Vector normal() const { return (z_axis - p * x_axis - q * y_axis).normalized(); }
 
-  double gaussian_curvature() const
-  {
-    const double g = 1. + p * p + q * q;
-    return (r * u - s * s) / (g * g);
-  }
-
-  double mean_curvature() const
-  {
-    const double g = 1. + p * p + q * q;
-    return ((1. + q * q) * r - 2. * p * q * s + (1. + p * p) * u) / (2. * g * std::sqrt(g));
-  }
-
   // maximum and minimum of the normal curvature
   std::pair<double, double> curvatures() const
   {

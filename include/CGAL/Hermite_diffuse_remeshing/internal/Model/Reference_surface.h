@@ -146,12 +146,7 @@ public:
   // the first of its corners
   Location location_of_node(const int i) const
   {
-    const int corner = *m_cut_mesh.corners(i).begin();
-    Location location;
-    location.face = corner / 3;
-    location.coordinates = {{0., 0., 0.}};
-    location.coordinates[corner % 3] = 1.;
-    return location;
+    return location_of_corner(*m_cut_mesh.corners(i).begin());
   }
 
   // Normal blended from the corners' normals, not a fit: one or two degrees from the fitted one,

@@ -26,6 +26,7 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -201,11 +202,13 @@ public:
     : Triangle_tree(triangles, all_faces(triangles), progress)
   {}
 
-  // face and point
+  // Face and point. Throws std::invalid_argument if the query has no distance that is a number.
   std::pair<int, Vector> closest(const Vector& p) const
   {
     Nearest nearest(m_groups, p);
     m_tree.traversal_with_priority(p, nearest);
+    if(nearest.best.first == -1)
+      throw std::invalid_argument("a query point is not finite, or so far away that its distance overflows");
     return nearest.best;
   }
 

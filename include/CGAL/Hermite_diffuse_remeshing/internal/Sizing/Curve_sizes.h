@@ -10,29 +10,17 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_CURVE_SIZES_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Feature_gaps.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Sample_pair.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_samples.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
-#include <boost/container_hash/hash.hpp>
-
 #include <algorithm>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
-
-typedef std::pair<int, int> Sample_pair;
-template <typename Value>
-using Pair_map = std::unordered_map<Sample_pair, Value, boost::hash<Sample_pair> >;
-
-inline Sample_pair ordered(const int a, const int b)
-{
-  return a < b ? Sample_pair(a, b) : Sample_pair(b, a);
-}
 
 // What a curve asks for at one of its points. Where these are at uneven distances the spline bends more beside a point
 // than the circle through it and its neighbours does, and edges have to be short there in any case, to be near the

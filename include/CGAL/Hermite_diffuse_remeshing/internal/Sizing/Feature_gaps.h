@@ -14,12 +14,15 @@
 
 #include <CGAL/number_utils.h>
 
+#include <boost/geometry/algorithms/expand.hpp>
+#include <boost/geometry/algorithms/intersects.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -34,12 +37,16 @@ class Feature_gaps
 {
   typedef boost::geometry::model::point<double, 3, boost::geometry::cs::cartesian> Box_corner;
   typedef boost::geometry::model::box<Box_corner> Box;
-  typedef std::pair<Box, int> Entry;              // of an edge of the reference
+  // Consecutive edges of a curve. A search meets mostly those of the curve that it begins at, and is done with all of a
+  // run at once.
+  struct Run { int curve; std::size_t first, last; };
+  static constexpr std::size_t length_of_run = 32;
+  typedef std::pair<Box, Run> Entry;
 
   const Indexed_triangles& m_triangles;
+  const Cut_mesh& m_cut_mesh;
   const Edge_table& m_edges;
   const Feature_curves& m_curves;
-  std::vector<int> m_patch_of_face;               // connected by edges that are no features
   boost::geometry::index::rtree<Entry, boost::geometry::index::rstar<16> > m_tree;
   double m_reach = 0.;                            // no two points of the surface are farther apart
 
@@ -53,19 +60,21 @@ class Feature_gaps
 public:
   Feature_gaps(const Indexed_triangles& triangles, const Cut_mesh& cut_mesh, const Edge_table& edges,
                const Feature_curves& curves)
-    : m_triangles(triangles), m_edges(edges), m_curves(curves)
+    : m_triangles(triangles), m_cut_mesh(cut_mesh), m_edges(edges), m_curves(curves)
   {
-    if(!curves.curves.empty())
-      collect_patches(cut_mesh);
     std::vector<Entry> entries;
-    for(const Feature_curve& curve : curves.curves)
-      for(const int e : curve.edges)
+    for(std::size_t c = 0; c < curves.curves.size(); ++c)
+    {
+      const std::vector<int>& curve = curves.curves[c].edges;
+      for(std::size_t first = 0; first < curve.size(); first += length_of_run)
       {
-        const Vector& p = triangles.points[edges.vertices(e)[0]];
-        const Vector& q = triangles.points[edges.vertices(e)[1]];
-        const Vector low = p.cwiseMin(q), high = p.cwiseMax(q);
-        entries.push_back(Entry(Box(corner(low), corner(high)), e));
+        const Run run = {static_cast<int>(c), first, (std::min)(first + length_of_run, curve.size())};
+        Box box = box_of_edge(curve[first]);
+        for(std::size_t i = first + 1; i < run.last; ++i)
+          boost::geometry::expand(box, box_of_edge(curve[i]));
+        entries.push_back(Entry(box, run));
       }
+    }
     m_tree = decltype(m_tree)(entries);
     m_reach = model_diameter(triangles);
   }
@@ -85,14 +94,18 @@ public:
       const Box box(corner(p - reach), corner(p + reach));
       for(auto it = m_tree.qbegin(boost::geometry::index::intersects(box)); it != m_tree.qend(); ++it)
       {
-        const int other = it->second;
-        if(!are_apart(m_curves.curve_of_edge[edge], m_curves.curve_of_edge[other]))
+        const Run& run = it->second;
+        if(!are_apart(m_curves.curve_of_edge[edge], run.curve))
           continue;
-        const Vector way = closest_point(other, p) - p;
-        const double distance = way.norm();
-        if(distance < best && distance > 0. && std::abs(way.dot(tangent)) < largest_cosine * distance
-           && is_on_common_patch(edge, other, way / distance))
-          best = distance;
+        for(std::size_t i = run.first; i < run.last; ++i)
+        {
+          const int other = m_curves.curves[run.curve].edges[i];
+          const Vector way = closest_point(other, p) - p;
+          const double distance = way.norm();
+          if(distance < best && distance > 0. && std::abs(way.dot(tangent)) < largest_cosine * distance
+             && boost::geometry::intersects(box, box_of_edge(other)) && is_on_common_patch(edge, other, way / distance))
+            best = distance;
+        }
       }
       if(best <= radius || limit <= radius || m_reach <= radius)
         break;
@@ -101,31 +114,11 @@ public:
   }
 
 private:
-  void collect_patches(const Cut_mesh& cut_mesh)
+  Box box_of_edge(const int e) const
   {
-    const int number_of_faces = m_triangles.number_of_faces();
-    m_patch_of_face.assign(number_of_faces, -1);
-    std::vector<int> open;
-    for(int seed = 0; seed < number_of_faces; ++seed)
-    {
-      if(m_patch_of_face[seed] != -1)
-        continue;
-      m_patch_of_face[seed] = seed;
-      open.assign(1, seed);
-      while(!open.empty())
-      {
-        const int f = open.back();
-        open.pop_back();
-        for(int k = 0; k < 3; ++k)
-        {
-          const int g = cut_mesh.neighbor(f, k);
-          if(g == -1 || m_patch_of_face[g] != -1)
-            continue;
-          m_patch_of_face[g] = seed;
-          open.push_back(g);
-        }
-      }
-    }
+    const Vector& p = m_triangles.points[m_edges.vertices(e)[0]];
+    const Vector& q = m_triangles.points[m_edges.vertices(e)[1]];
+    return Box(corner(p.cwiseMin(q)), corner(p.cwiseMax(q)));
   }
 
   static Box_corner corner(const Vector& p) { return Box_corner(p[0], p[1], p[2]); }
@@ -153,7 +146,7 @@ private:
       for(int j = 0; j < m_edges.number_of_sides(other); ++j)
       {
         const int f = m_edges.side(edge, i).face;
-        if(m_patch_of_face[f] == m_patch_of_face[m_edges.side(other, j).face]
+        if(m_cut_mesh.patch(f) == m_cut_mesh.patch(m_edges.side(other, j).face)
            && std::abs(direction.dot(m_triangles.area_vector(f).stableNormalized())) < largest_cosine)
           return true;
       }

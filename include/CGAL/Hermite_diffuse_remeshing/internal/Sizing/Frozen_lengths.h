@@ -9,14 +9,11 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_FROZEN_LENGTHS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_FROZEN_LENGTHS_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Sample_pair.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_gradation.h>
-
-#include <boost/container_hash/hash.hpp>
 
 #include <algorithm>
 #include <array>
-#include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,8 +25,6 @@ namespace internal {
 // the size that was asked for as fast as any gradation allows.
 class Frozen_lengths
 {
-  typedef std::pair<int, int> Sample_pair;
-
   struct Sample_length
   {
     double sum = 0.;
@@ -37,7 +32,7 @@ class Frozen_lengths
     double mean() const { return sum / number; }
   };
 
-  std::unordered_map<Sample_pair, double, boost::hash<Sample_pair> > m_lengths;   // of an edge, by pieces of it
+  Pair_map<double> m_lengths;   // of an edge, by pieces of it
   std::vector<Sample_length> m_samples;
   bool m_is_empty = true;
 
@@ -91,11 +86,6 @@ public:
   }
 
 private:
-  static Sample_pair ordered(const int a, const int b)
-  {
-    return a < b ? Sample_pair(a, b) : Sample_pair(b, a);
-  }
-
   void add_sample(const int i, const double length)
   {
     if(i >= static_cast<int>(m_samples.size()))

@@ -220,7 +220,7 @@ private:
         const int v = triangles.triangles[c / 3][c % 3];
         m_progress(0.);
         if(!is_done[v] || m_sources.options().is_user_size_local)
-          lower_user_size(v, m_sources.of_user(triangles.points[v], Size_sources::location_of_corner(c)));
+          lower_user_size(v, m_sources.of_user(triangles.points[v], location_of_corner(c)));
         is_done[v] = true;
       }
     }
@@ -339,7 +339,9 @@ private:
     const int middle = middle_of_side(cell, k);
     // the cell at the other side may have it already, graded
     const double at_middle = middle < m_sizes.number_of_samples() ? m_sizes[middle] : m_samples.own_size(middle);
-    return at_middle < interpolated / (1. + size_tolerance) || at_middle > (1. + size_tolerance) * interpolated;
+    // with a gradation of 1 all sizes are the smallest
+    return at_middle < interpolated / (1. + size_tolerance)
+        || (gradation() > 1. && at_middle > (1. + size_tolerance) * interpolated);
   }
 
   // Do the user's sizes differ more between two corners than the gradation allows? The curvature's are

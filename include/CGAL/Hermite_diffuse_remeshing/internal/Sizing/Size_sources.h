@@ -159,15 +159,6 @@ public:
     return std::accumulate(curvatures.begin(), curvatures.end(), 0.) / curvatures.size();
   }
 
-  static Location location_of_corner(const int corner)
-  {
-    Location location;
-    location.face = corner / 3;
-    location.coordinates.fill(0.);
-    location.coordinates[corner % 3] = 1.;
-    return location;
-  }
-
   // Area of the smooth surface over a face divided by that of the face: the four triangles to the middles
   // of the sides, and L. F. Richardson's extrapolation from one triangle and four.
   double area_ratio(const int face) const

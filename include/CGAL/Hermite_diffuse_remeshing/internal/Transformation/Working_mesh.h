@@ -262,6 +262,13 @@ public:
     }
   }
 
+  // the face on which the centroid of a face lies
+  int face_of_reference(const face_descriptor f) const
+  {
+    const std::array<Vector, 3> corners = triangle(f).points;
+    return m_reference.locator.walk((corners[0] + corners[1] + corners[2]) / 3., hint(f)).face;
+  }
+
   // remembers where on the reference the faces lie that have changed, so that the next walk is short
   void update_hints(const std::size_t since)
   {
@@ -276,12 +283,7 @@ public:
     }
     for_each_index(static_cast<int>(hints.size()), Base::is_parallel(), [&]
     {
-      return [&](const int i)
-      {
-        const std::array<Vector, 3> corners = triangle(hints[i].first).points;
-        hints[i].second =
-          m_reference.locator.walk((corners[0] + corners[1] + corners[2]) / 3., hint(hints[i].first)).face;
-      };
+      return [&](const int i) { hints[i].second = face_of_reference(hints[i].first); };
     }, progress());
     for(const std::pair<face_descriptor, int>& entry : hints)
       put(m_hint, entry.first, entry.second);

@@ -123,7 +123,14 @@ private:
       entry.distance = height;
       return;
     }
-    switch(m_hunt.prospect(h))
+    const auto prospect = m_hunt.prospect(h);
+    // a search that was stopped says nothing
+    if(m_mesh.is_stopped())
+    {
+      entry.obstacle = QUALITY_AFTER_STOP;
+      return;
+    }
+    switch(prospect)
     {
       case Worst_face_hunt<UserMesh>::FREE:         entry.obstacle = QUALITY_AFTER_STOP; break;
       case Worst_face_hunt<UserMesh>::NOT_FREE:     entry.obstacle = QUALITY_AT_INTERSECTION; break;

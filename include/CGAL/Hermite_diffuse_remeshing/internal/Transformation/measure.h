@@ -51,7 +51,7 @@ measure_faces(const Working_mesh<UserMesh>& mesh, Remeshing_report<TriangleMesh>
     for(const auto h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
     {
       // an edge between two faces is counted at one of them
-      if(halfedge(edge(h, tm), tm) != h && !mesh.is_border_or_outside(opposite(h, tm)))
+      if(!mesh.is_border_or_outside(opposite(h, tm)) && mesh.index(source(h, tm)) > mesh.index(target(h, tm)))
         continue;
       ++number_of_edges;
       number_within_2 += std::abs(std::log2(mesh.relative_length(h))) <= 1.;
