@@ -14,6 +14,7 @@
 #include "../../test/Hermite_diffuse_remeshing/analytic_surfaces.h"
 #include "../../test/Hermite_diffuse_remeshing/make_mesh.h"
 #include "../../test/Hermite_diffuse_remeshing/mesh_measures.h"
+#include "find_value.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -228,22 +229,6 @@ Mesh read(const std::string& name)
   if(!PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh))
     std::exit(EXIT_FAILURE);
   return mesh;
-}
-
-// Finds the value for which `number_of_faces(value)` is as wanted; it falls with the value, about with a power.
-template <typename NumberOfFaces>
-double find_value(double value, const double wanted, const double power, const NumberOfFaces& number_of_faces)
-{
-  constexpr double tolerance = 0.03;
-  constexpr int maximum_number_of_trials = 5;
-  for(int i = 0; i < maximum_number_of_trials; ++i)
-  {
-    const double ratio = number_of_faces(value) / wanted;
-    if(std::abs(ratio - 1.) < tolerance)
-      break;
-    value *= std::pow(ratio, 1. / power);
-  }
-  return value;
 }
 
 class Table

@@ -1,13 +1,16 @@
-// Features are found, the user adds to them, and protects some of them.
+// Features are found, and what lies between them; the user adds to them, and protects some of them.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_faces.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_features.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <string>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel   K;
@@ -31,6 +34,14 @@ int main(int argc, char* argv[])
   const auto vertex_classes = mesh.add_property_map<Mesh::Vertex_index, HDR::Vertex_class>("v:class").first;
   PMP::hermite_diffuse_classify_features(mesh, edge_classes, vertex_classes,
                                          CGAL::parameters::sharp_dihedral_angle(40.).corner_angle(60.));
+
+  // the regions on planes, cylinders and other basic surfaces: a face has the rank of its own
+  const auto regions = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:region").first;
+  std::map<HDR::Basic_surface_type, int> number_of_regions;
+  for(const auto& surface : PMP::hermite_diffuse_classify_faces(mesh, regions))
+    ++number_of_regions[surface.type];
+  std::cout << number_of_regions[HDR::PLANE_SURFACE] << " regions are planar, "
+            << number_of_regions[HDR::CYLINDER_SURFACE] << " on cylinders" << std::endl;
 
   // Sharp edges in the first half of the mesh fit to another part: they stay exactly as they are. The other ones are
   // sampled anew. And one more vertex must not move.

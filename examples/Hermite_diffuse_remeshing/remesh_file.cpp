@@ -162,8 +162,8 @@ void check(const Options& o)
   }
   if(o.input.empty() || o.output.empty())
     throw std::runtime_error("an input and an output file are needed; --help explains them");
-  if(o.iterations < 0)
-    throw std::runtime_error("the option --iterations must not be negative");
+  if(o.iterations < 1)
+    throw std::runtime_error("the option --iterations must be at least 1");
 
   check_mesh_extension(o.output);
   if(!o.fields.empty() && lower_case_extension(o.fields) != ".vtp")

@@ -81,10 +81,13 @@ public:
    *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`; those that concern neither the model
    *        nor the sizes are not read
    *
-   * Takes time and memory proportional to the number of faces, and to the number of places where the
-   * sizes vary inside a face.
+   * Degenerate and folded faces are taken as they are: the remeshing, which repairs them, may find other sizes near by.
    *
-   * \throw std::invalid_argument as `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()` does
+   * Takes time and memory proportional to the number of faces, but for a logarithmic factor, and to the number of places
+   * where the sizes vary inside a face.
+   *
+   * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle, a coordinate that is not
+   *        finite or a diameter outside [1e-50, 1e50], or if a parameter of the model or of the sizes is out of its range
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Hermite_diffuse_size_map(const TriangleMesh& tmesh,
@@ -103,6 +106,8 @@ public:
 
   /// returns the size at the point of the mesh that is closest to `p`, a length; in time logarithmic in
   /// the number of faces.
+  ///
+  /// \throw std::invalid_argument if `p` is not finite, or so far away that the square of its distance overflows
   FT size(const Point_3& p) const
   {
     const Hermite_diffuse_remeshing::internal::Point_reader<Geom_traits> read_point(m_traits);

@@ -100,10 +100,10 @@ public:
    *
    * @param tmesh the mesh; it must outlive the surface, without changes of its faces
    * @param np an optional sequence of named parameters among `sharp_dihedral_angle`, `corner_angle`,
-   *        `apex_angular_defect`, `edge_is_constrained_map`, `vertex_is_constrained_map`,
-   *        `face_patch_map`, `maximum_displacement`, `polynomial_degree`, `hermite_weight`, `normal_estimation`,
+   *        `apex_angular_defect`, `edge_is_constrained_map`, `edge_policy_map`,
+   *        `vertex_is_constrained_map`, `face_patch_map`, `maximum_displacement`, `polynomial_degree`, `hermite_weight`, `normal_estimation`,
    *        `vertex_point_map` and `geom_traits`, with the meaning and the defaults that they have for
-   *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, and
+   *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, whose maps are only read here, and
    *        <ul>
    *        <li>`vertex_normal_map`: normals that are known, as a model of `ReadablePropertyMap` with key type
    *        `vertex_descriptor` and value type `Vector_3`. They replace estimates; zero means unknown.
@@ -116,8 +116,8 @@ public:
    * which add a logarithmic factor. The surface takes less than 150 bytes per face, beyond the mesh, if few
    * vertices are on features.
    *
-   * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
-   *        that is not finite, or if a parameter is out of its range
+   * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle, a coordinate that is not
+   *        finite or a diameter outside [1e-50, 1e50], or if a parameter is out of its range
    */
   template <typename NamedParameters = parameters::Default_named_parameters>
   explicit Hermite_diffuse_surface(const TriangleMesh& tmesh,
@@ -187,6 +187,8 @@ public:
   }
 
   /// returns the location of the point of the facets of the mesh that is closest to `query`.
+  ///
+  /// \throw std::invalid_argument if `query` is not finite, or so far away that the square of its distance overflows
   Face_location locate(const Point_3& query) const
   {
     return to_face_location(m_model->locator.closest(from_point(query)));
@@ -194,6 +196,8 @@ public:
 
   /// returns the location of the point of the surface that is closest to `query`, near the closest
   /// facet: Newton's method on the local fits, from facet to facet.
+  ///
+  /// \throw std::invalid_argument as `locate()`
   Face_location project(const Point_3& query) const
   {
     const Vector p = from_point(query);

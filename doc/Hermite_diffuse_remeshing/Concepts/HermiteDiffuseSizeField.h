@@ -12,7 +12,7 @@ second.
 
 A field is read before the mesh is changed, and not afterwards. It must be a function in the
 mathematical sense: the same place has the same size, however often and in whichever order it is
-asked. It is copied; a copy must give the same sizes.
+asked. It is copied; a copy must give the same sizes. Its call operator is `const`.
 
 A size is a length, larger than 0, in the unit of the mesh. Infinity means that there is no wish at
 the place. Anything else is refused with `std::invalid_argument`, before the mesh is changed.
@@ -31,6 +31,15 @@ The field need be neither continuous nor of limited slope: the gradation takes c
 class HermiteDiffuseSizeField
 {
 public:
+  /// the point type of the geometry traits
+  typedef unspecified_type Point_3;
+
+  /// the number type of the geometry traits
+  typedef unspecified_type FT;
+
+  /// the faces of the mesh, or `std::size_t` where a soup is remeshed
+  typedef unspecified_type face_descriptor;
+
   /// returns the size at a point of the surface.
   double operator()(const Point_3& p) const;
 

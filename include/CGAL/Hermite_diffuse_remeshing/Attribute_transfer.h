@@ -55,7 +55,7 @@ bool is_seam(const typename boost::graph_traits<TriangleMesh>::halfedge_descript
  * features of the remeshing, if the map is given to it as `edge_is_constrained_map`. Other edges keep their mark.
  * Takes time proportional to the number of edges.
  *
- * @tparam TriangleMesh a model of `FaceListGraph`
+ * @tparam TriangleMesh a model of `FaceListGraph` and `EdgeListGraph`
  * @tparam CornerMap a model of `ReadablePropertyMap` with key type `halfedge_descriptor` and a value type that can be
  *         compared for equality: the value of the face of the halfedge at its target
  * @tparam EdgeIsConstrainedMap a model of `WritablePropertyMap` with key type `edge_descriptor` and value type `bool`

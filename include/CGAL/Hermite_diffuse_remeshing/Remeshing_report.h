@@ -204,11 +204,12 @@ struct Remeshing_report
   /// its feature edges, on their curves, and, if there is a bound, from points of the model over its faces, as
   /// many as it takes to know the model between them to a twentieth of the bound; and where edges of the result cross the
   /// sides of faces of the input, along which the model may have ridges, and between. Distances are
-  /// raised by 5 %, which allows for what is between the points. The mean is that of the faces of the result, of what is
+  /// raised by 5 %, or by 15 % with a `maximum_displacement`, which allows for what is between the points. The mean is that of the faces of the result, of what is
   /// measured at their vertices, middles and centroids, not raised.
   /// @{
 
-  /// `false` if the remeshing was stopped before it was measured; then the other fields mean nothing
+  /// `false` if the remeshing was stopped before it was measured; then what is measured means nothing, and
+  /// `is_maximum_deviation_met` is `false` if there is a bound
   bool is_deviation_measured = false;
   double largest_deviation = 0.;           ///< a length
   double mean_deviation = 0.;              ///< a length
@@ -246,7 +247,9 @@ struct Remeshing_report
 
   /// \name Classification
   /// @{
-  std::size_t number_of_corners = 0;        ///< of the input, those of the user included
+  /// of the input, those of the user included, and the vertices at which closed curves are cut: more than
+  /// `hermite_diffuse_classify_features()` finds
+  std::size_t number_of_corners = 0;
   std::size_t number_of_feature_edges = 0;  ///< of the input: boundary edges, sharp edges, user's edges
   std::size_t number_of_curves = 0;         ///< chains of feature edges between corners; closed ones count twice
   /// @}
@@ -263,7 +266,7 @@ struct Remeshing_report
   Stop_reason stop_reason = CONVERGED;      ///< why it ended
   /// name and seconds of every stage, in the order of the run
   std::vector<std::pair<std::string, double> > stages;
-  double seconds = 0.;                      ///< of the whole call
+  double seconds = 0.;                      ///< of all stages; reading and checking the input comes before
   /// @}
 };
 

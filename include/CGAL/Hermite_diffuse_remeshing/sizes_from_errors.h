@@ -126,7 +126,7 @@ void write_sizes(const TriangleMesh& tmesh, const FaceErrorMap& error_map, const
  * @param errors errors of the elements, not negative, in any unit
  * @param order \f$ p \f$: the error at a point goes with this power of the size; 1 for the gradient of linear
  *        elements
- * @param number_of_elements larger than 0
+ * @param number_of_elements larger than 0, finite
  * @param sizes output: lengths, to be used with `Vertex_size_field`, or with `Background_size_field` if another
  *        mesh of the surface is remeshed
  * @param np an optional sequence of \ref bgl_namedparameters "named parameters" among the ones listed below

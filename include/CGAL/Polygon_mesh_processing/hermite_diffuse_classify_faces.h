@@ -58,7 +58,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{1e-6 of the diameter of the mesh, enough for coordinates in single precision}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map,
- *     vertex_is_constrained_map, face_patch_map, normal_estimation, vertex_normal_map}
+ *     edge_policy_map, vertex_is_constrained_map, face_patch_map, normal_estimation, vertex_normal_map, hermite_weight,
+ *     surface_model}
  *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_curvatures()`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}

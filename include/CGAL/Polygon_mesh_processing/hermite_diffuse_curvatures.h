@@ -73,8 +73,8 @@ namespace Polygon_mesh_processing {
  *
  * Takes time and memory proportional to the number of faces, but for a logarithmic factor.
  *
- * A chain of parameters must begin with one of this package's own, then takes these and those of \cgal
- * in any order.
+ * A chain of parameters that begins with one of this package's own takes these and those of \cgal in any order; one that
+ * begins with one of \cgal's takes only those of \cgal.
  *
  * @tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`
  *         (the default), `Parallel_tag` and `Parallel_if_available_tag`. The values are the same, to the last
@@ -115,8 +115,9 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map,
- *     vertex_is_constrained_map, face_patch_map, hermite_weight}
- *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`}
+ *     edge_policy_map, vertex_is_constrained_map, face_patch_map, hermite_weight, surface_model}
+ *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, but maps are only read, and
+ *       `PAPER_MODEL` changes no more than the defaults of `normal_estimation` and `hermite_weight`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of the vertices}

@@ -38,8 +38,8 @@ namespace Polygon_mesh_processing {
  * logarithmic in the former. The result depends on the input and the parameters only, and
  * scaling, rotating or translating the input does the same to it.
  *
- * A chain of parameters must begin with one of this package's own (`approximation_error` and the
- * others that \cgal does not have), then takes these and those of \cgal in any order. \cgal has
+ * A chain of parameters that begins with one of this package's own (`approximation_error` and the others that \cgal does
+ * not have) takes these and those of \cgal in any order; one that begins with one of \cgal's takes only those of \cgal. \cgal has
  * `maximum_number_of_faces`, `maximum_running_time`, `do_self_intersection_tests`, `number_of_iterations`,
  * `vertex_normal_map`, `visitor`, `protect_constraints`, `vertex_point_map`, `geom_traits` and the maps of constraints
  * and patches.
@@ -112,13 +112,13 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{minimum_edge_length}
  *     \cgalParamDescription{lower bound of the sizes}
  *     \cgalParamType{`double`, a length, at least 0; 0 means the default}
- *     \cgalParamDefault{1e-4 of the diameter of the mesh: twice the largest distance of a vertex to the
- *       centroid of the surface}
+ *     \cgalParamDefault{1e-4 of the diameter of the mesh, twice the largest distance of a vertex to the centroid of the
+ *       surface; or `maximum_edge_length` if that is smaller}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_edge_length}
  *     \cgalParamDescription{upper bound of the sizes, reached where the surface is flat}
  *     \cgalParamType{`double`, a length, at least 0; 0 means the default}
- *     \cgalParamDefault{0.1 of the diameter of the mesh}
+ *     \cgalParamDefault{0.1 of the diameter of the mesh, or `minimum_edge_length` if that is larger}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{size_field}
  *     \cgalParamDescription{the user's own size; the smallest of it, the curvature's size and the upper bound is

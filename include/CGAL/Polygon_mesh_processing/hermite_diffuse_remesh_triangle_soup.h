@@ -231,7 +231,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_location_map, vertex_size_map, face_origin_map, face_deviation_map}
  *     \cgalParamDescription{output: as for `hermite_diffuse_remesh()`, with indices into the new points and triangles as
- *       keys. A location is the index of a triangle of the input and the coordinates with respect to its corners.}
+ *       keys. A location is the index of a triangle of the input and the coordinates with respect to its corners. A point
+ *       without a triangle has none before the first change.}
  *     \cgalParamType{models of `WritablePropertyMap` with key type `std::size_t`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd

@@ -18,6 +18,7 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <boost/container/static_vector.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -313,33 +314,33 @@ private:
     return v;
   }
 
-  vertex_descriptor collapse_sibling(const halfedge_descriptor h, const int kept)
+  vertex_descriptor collapse_sibling(const halfedge_descriptor h, const int number)
   {
     TriangleMesh& tm = m_user.tmesh;
     m_user.visitor.before_edge_collapse(h);
     const halfedge_descriptor o = opposite(h, tm);
     const vertex_descriptor target_before = target(h, tm);
 
-    // Euler::collapse_edge() keeps one edge of each of the two triangles, which one depends on the
-    // direction of the edge; ours are the ones at the target
-    struct Kept_edge { vertex_descriptor end; Edge data; };
-    std::vector<Kept_edge> kept_edges;
-    const halfedge_descriptor at_target[2] = {next(h, tm), prev(o, tm)};
-    for(int i = 0; i < 2; ++i)
-      if(!CGAL::is_border(i == 0 ? h : o, tm))
+    // Euler::collapse_edge() keeps one edge of each of the two triangles, which one depends on the direction of the edge;
+    // ours are the ones at the target. Those that the user knows stay themselves.
+    std::vector<std::pair<vertex_descriptor, Edge> > kept_edges;
+    for(const halfedge_descriptor side : {h, o})
+      if(!CGAL::is_border(side, tm))
       {
         --m_number_of_faces;
-        Base::forget(face(i == 0 ? h : o, tm));
-        kept_edges.push_back({i == 0 ? target(at_target[i], tm) : source(at_target[i], tm),
-                              get(m_edge, edge(at_target[i], tm))});
+        Base::forget(face(side, tm));
+        kept_edges.push_back(std::make_pair(target(next(side, tm), tm),
+                                            get(m_edge, edge(side == h ? next(h, tm) : prev(o, tm), tm))));
       }
 
-    const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
-    for(const Kept_edge& e : kept_edges)
-      set_edge(edge(v, e.end, tm).first, e.data);
-    put(m_vertex_index, v, kept);
-    m_junctions.replace(kept, target_before, v);
-    m_user.set_point(v, m_vertices[kept].site.point);
+    const auto is_protected_edge = boost::make_function_property_map<typename Graph_traits::edge_descriptor>(
+      [this](const auto e) { return get(m_edge, e).is_protected; });
+    const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm, is_protected_edge);
+    for(const std::pair<vertex_descriptor, Edge>& kept : kept_edges)
+      set_edge(edge(v, kept.first, tm).first, kept.second);
+    put(m_vertex_index, v, number);
+    m_junctions.replace(number, target_before, v);
+    m_user.set_point(v, m_vertices[number].site.point);
     m_user.visitor.after_edge_collapse(v);
     return v;
   }
