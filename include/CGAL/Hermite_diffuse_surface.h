@@ -41,8 +41,8 @@ namespace CGAL {
  * that it reports are to the bent one.
  *
  * The object is immutable and refers to the mesh for its descriptors only: the geometry is copied.
- * Queries from several threads are safe. An evaluation takes constant time, a projection without a
- * hint time logarithmic in the number of faces.
+ * Queries from several threads are safe. An evaluation takes time proportional to the number of vertices around the
+ * corners of its face, a projection without a hint time logarithmic in the number of faces.
  *
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam GeomTraits_ a model of `HermiteDiffuseRemeshingTraits`; by default the kernel of the points
@@ -113,7 +113,8 @@ public:
    *        </ul>
    *
    * Takes time proportional to the number of faces, but for the sorting of the edges and the search tree,
-   * which add a logarithmic factor. The surface takes less than 150 bytes per face, beyond the mesh, if few
+   * which add a logarithmic factor, and for vertices with very many faces, which take the square of their number. The
+   * surface takes less than 150 bytes per face, beyond the mesh, if few
    * vertices are on features.
    *
    * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle, a coordinate that is not

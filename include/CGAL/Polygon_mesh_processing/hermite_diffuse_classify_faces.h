@@ -36,7 +36,8 @@ namespace Polygon_mesh_processing {
  * belongs to a curved surface if it is closer to it than a small part of the height of the
  * facets, 0.004 of the square of the shortest edge around it times the curvature, or than `maximum_deviation`.
  *
- * Takes time proportional to the number of faces for each shape, but for a logarithmic factor.
+ * Takes time proportional to the number of faces for each shape, but for a logarithmic factor, and time proportional to the
+ * square of the number of faces around a vertex.
  *
  * @tparam ConcurrencyTag enables sequential versus parallel algorithm, for the surface that is fitted. Possible values
  *         are `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same for

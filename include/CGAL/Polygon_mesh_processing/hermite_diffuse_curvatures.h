@@ -71,7 +71,8 @@ namespace Polygon_mesh_processing {
  * edge length. With vertices that do not, `normal_estimation(SMOOTH_NORMALS)` averages normals over
  * several rings and fits polynomials of degree 3.
  *
- * Takes time and memory proportional to the number of faces, but for a logarithmic factor.
+ * Takes time and memory proportional to the number of faces, but for a logarithmic factor, and time proportional to the
+ * square of the number of faces around a vertex.
  *
  * A chain of parameters that begins with one of this package's own takes these and those of \cgal in any order; one that
  * begins with one of \cgal's takes only those of \cgal.

@@ -35,7 +35,8 @@ namespace Polygon_mesh_processing {
  * does, new ones may take their places.
  *
  * Time is proportional to the number of faces of the input and of the result, but for a factor
- * logarithmic in the former. The result depends on the input and the parameters only, and
+ * logarithmic in the former; a vertex with very many faces, such as the center of a fan, takes the square of their number.
+ * The result depends on the input and the parameters only, and
  * scaling, rotating or translating the input does the same to it.
  *
  * A chain of parameters that begins with one of this package's own (`approximation_error` and the others that \cgal does
