@@ -1,6 +1,7 @@
 // This package beside the isotropic remeshing of CGAL, and, from CGAL 6 on, its adaptive sizes: on a torus that is
-// known, and on two of CGAL's meshes with sharp edges. The isotropic meshes get as many faces as ours within 3 %: their lengths are searched. One line per
-// case, the columns separated by tabs; distances of the vertices to the true torus in edge lengths of the input.
+// known, and on two of CGAL's meshes with sharp edges. The isotropic meshes get as many faces as ours within 3 %: their
+// lengths are searched. One line per case, the columns separated by tabs; distances of the vertices to the true torus in
+// edge lengths of the input.
 
 #include "../../test/Hermite_diffuse_remeshing/analytic_surfaces.h"
 #include "../../test/Hermite_diffuse_remeshing/make_mesh.h"

@@ -128,12 +128,19 @@ void test_torus_sizes()
   }
 }
 
-// two large triangles with one small hole in the user's sizes: bisected there, limited in slope
-void test_gradation_on_large_faces()
+// the unit square, of two triangles
+Indexed_triangles unit_square()
 {
   Indexed_triangles square;
   square.points = {Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, 1, 0)};
   square.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  return square;
+}
+
+// two large triangles with one small hole in the user's sizes: bisected there, limited in slope
+void test_gradation_on_large_faces()
+{
+  const Indexed_triangles square = unit_square();
   for(const double gradation : {1.1, 1.3, 2.})
   {
     Size_options options;
@@ -166,9 +173,7 @@ void test_gradation_on_large_faces()
 // with the gradation 1 all sizes are the smallest: there is nothing to bisect for
 void test_equal_sizes()
 {
-  Indexed_triangles square;
-  square.points = {Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, 1, 0)};
-  square.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  const Indexed_triangles square = unit_square();
   std::size_t number_of_questions = 0;
   Size_options options;
   options.minimum_length = 1e-4;
@@ -229,9 +234,7 @@ void test_coarse_middle()
 // met all the same, and not missed from below.
 void test_budget_with_gradation()
 {
-  Indexed_triangles square;
-  square.points = {Vector(0, 0, 0), Vector(1, 0, 0), Vector(1, 1, 0), Vector(0, 1, 0)};
-  square.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  const Indexed_triangles square = unit_square();
   for(const double gradation : {1.05, 1.3})
     for(const double share : {0.5, 0.1, 0.01})
     {

@@ -36,11 +36,12 @@ namespace Polygon_mesh_processing {
  *
  * Time is proportional to the number of faces of the input and of the result, but for a factor
  * logarithmic in the former; a vertex with very many faces, such as the center of a fan, takes the square of their number.
- * The result depends on the input and the parameters only, and
- * scaling, rotating or translating the input does the same to it.
+ * The result depends on the input and the parameters only, and scaling, rotating or translating the input does the same to
+ * it.
  *
  * A chain of parameters that begins with one of this package's own (`approximation_error` and the others that \cgal does
- * not have) takes these and those of \cgal in any order; one that begins with one of \cgal's takes only those of \cgal. \cgal has
+ * not have) takes these and those of \cgal in any order; one that begins with one of \cgal's takes only those of \cgal.
+ * \cgal has
  * `maximum_number_of_faces`, `maximum_running_time`, `do_self_intersection_tests`, `number_of_iterations`,
  * `vertex_normal_map`, `visitor`, `protect_constraints`, `vertex_point_map`, `geom_traits` and the maps of constraints
  * and patches.

@@ -81,11 +81,8 @@ void write_output_maps_of_soup(const TriangleRange& triangles, const Pack& pack)
       put(get_parameter(pack, internal_np::face_origin_map), f, f);
     if constexpr(is_given<Pack, internal_np::vertex_location_map_t>())
       for(int k = 0; k < 3; ++k)
-      {
-        Barycentric coordinates = {{0., 0., 0.}};
-        coordinates[k] = 1.;
-        put(get_parameter(pack, internal_np::vertex_location_map), std::size_t(triangle[k]), std::make_pair(f, coordinates));
-      }
+        put(get_parameter(pack, internal_np::vertex_location_map), std::size_t(triangle[k]),
+            std::make_pair(f, location_of_corner(static_cast<int>(3 * f) + k).coordinates));
     ++f;
   }
 }

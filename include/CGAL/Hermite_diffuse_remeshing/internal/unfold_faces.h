@@ -107,8 +107,11 @@ private:
   {
     std::vector<Halfedge_index> sides;
     for(const Face_index f : folded_faces())
-      if(does_unfold(m_mesh.shortest_and_longest_side(f).second))
-        sides.push_back(m_mesh.shortest_and_longest_side(f).second);
+    {
+      const Halfedge_index longest = m_mesh.shortest_and_longest_side(f).second;
+      if(does_unfold(longest))
+        sides.push_back(longest);
+    }
     if(sides.empty())
       return false;
     const std::vector<std::vector<int> > near = faces_near(sides);
