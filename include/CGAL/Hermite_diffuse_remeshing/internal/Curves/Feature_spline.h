@@ -44,13 +44,14 @@ class Feature_spline
 
 public:
   // `is_closed`: the last point is joined to the first, which is not repeated. `turns_of_ends`: the first and the last
-  // segment of an open spline turn by no more than that.
+  // segment of an open spline turn by no more than that. `bends`: those of the surface, as a polyline gets them.
   Feature_spline(const std::vector<Vector>& points, const bool is_closed,
                  const std::array<double, 2>& turns_of_ends = {{largest_credible_turn, largest_credible_turn}},
-                 const Saturation& saturation = Saturation())
+                 const Saturation& saturation = Saturation(),
+                 const std::vector<double>& bends = std::vector<double>())
     : m_saturation(saturation)
   {
-    const Polyline line(points, is_closed);
+    const Polyline line(points, is_closed, bends);
     const int ns = line.number_of_segments();
     std::vector<bool> straight = find_straight_segments(line);
     std::vector<bool> kinks(line.number_of_points(), false);
@@ -210,7 +211,7 @@ private:
     const auto is_straight = [&](const int segment) { return segment == -1 || were_straight[segment]; };
     for(int i = 0; i < line.number_of_segments(); ++i)
     {
-      double largest = largest_credible_turn;
+      double largest = line.credible_turn(i);
       if(i == 0)
         largest = (std::min)(largest, turns_of_ends[0]);
       if(i + 1 == line.number_of_segments())

@@ -91,6 +91,24 @@ inline int middle_vertex(const std::vector<int>& vertices, const Indexed_triangl
   return middle;
 }
 
+// By which angle the smooth surface turns most at one of the edges of every vertex of a curve; 0 at the others
+inline std::vector<double> bends_beside_curves(const Indexed_triangles& surface, const Edge_table& edges,
+                                               const std::vector<Edge_class>& edge_classes,
+                                               const std::vector<Vertex_class>& vertex_classes)
+{
+  std::vector<double> result(surface.number_of_vertices(), 0.);
+  for(int e = 0; e < edges.number_of_edges(); ++e)
+  {
+    if(edge_classes[e] != INTERIOR_EDGE)
+      continue;
+    for(const int v : edges.vertices(e))
+      if(vertex_classes[v] == CURVE_VERTEX)
+        result[v] = (std::max)(result[v],
+                               dihedral_deviation(surface, edges.side(e, 0).face, edges.side(e, 1).face));
+  }
+  return result;
+}
+
 } // namespace chaining
 
 // Chains the feature edges between corners. A closed chain becomes two curves of about equal length;
@@ -132,6 +150,8 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
                              Feature_spline(spline, first, last)});
   };
 
+  const std::vector<double> bends = chaining::bends_beside_curves(surface, edges, edge_classes, vertex_classes);
+
   // By how much a curve may turn in its first edge e behind the corner v: by half the angle to the closest other one,
   // so that curves that leave the corner side by side stay apart by half of it if both do. Slightly less, which no
   // regular polygon has.
@@ -165,11 +185,15 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
     const bool is_loop = v == start;
     const bool is_smooth_loop = is_loop && !is_corner(vertex_classes[start]);
     std::vector<Vector> points;
+    std::vector<double> bends_at_points;
     for(std::size_t i = 0; i < vs.size() - (is_smooth_loop ? 1 : 0); ++i)
+    {
       points.push_back(surface.points[vs[i]]);
+      bends_at_points.push_back(bends[vs[i]]);
+    }
     const std::array<double, 2> turns_of_ends = {{largest_turn(vs.front(), es.front()),
                                                   largest_turn(vs.back(), es.back())}};
-    const Feature_spline spline(points, is_smooth_loop, turns_of_ends, saturation);
+    const Feature_spline spline(points, is_smooth_loop, turns_of_ends, saturation, bends_at_points);
     if(!is_loop)
       return store(vs, es, spline, 0, last);
     const int middle = chaining::middle_vertex(vs, surface);

@@ -20,10 +20,6 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// More than a segment of a regular polygon of 11 sides turns, less than one of 10: between two points of an arc
-// that turns by more its shape is a guess.
-constexpr double largest_credible_turn = 34. * boost::math::constants::pi<double>() / 180.;
-
 // Does a segment leave its neighbour, `step` behind it, as a line leaves an arc that it is tangent to? The turn at
 // their point is then the half of the arc's between two of its points.
 inline bool is_tangent_line(const Polyline& line, const int segment, const int step)
@@ -42,7 +38,7 @@ inline bool is_tangent_line(const Polyline& line, const int segment, const int s
 
 inline bool is_turn_credible(const Polyline& line, const int segment)
 {
-  return line.segment_curvature(segment) * line.chord(segment).norm() <= largest_credible_turn;
+  return line.segment_curvature(segment) * line.chord(segment).norm() <= line.credible_turn(segment);
 }
 
 // The larger one of what is usual at the two sides of a segment: at each the (lower) median of the next three, as
