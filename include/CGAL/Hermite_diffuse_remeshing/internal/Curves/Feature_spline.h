@@ -90,6 +90,16 @@ public:
       s -= offset;
   }
 
+  // of the first or the last segment at the spline's end; the tangents are unit vectors towards the last point
+  Vector end_tangent(const bool is_last) const
+  {
+    return (is_last ? m_segments.back().end_derivative : m_segments.front().start_derivative).normalized();
+  }
+  bool is_straight_at_end(const bool is_last) const
+  {
+    return (is_last ? m_segments.back() : m_segments.front()).is_straight;
+  }
+
   int number_of_segments() const { return static_cast<int>(m_segments.size()); }
   double length() const { return m_parameters.back(); }
   double parameter(const int point) const { return m_parameters[point]; }

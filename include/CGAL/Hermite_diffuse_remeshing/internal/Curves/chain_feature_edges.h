@@ -157,7 +157,7 @@ inline Feature_curves chain_feature_edges(const Indexed_triangles& surface, cons
   // regular polygon has.
   const auto largest_turn = [&](const int v, const int e)
   {
-    constexpr double part_of_angle = 0.4963;
+    constexpr double part_of_angle = 0.58;
     const Vector& p = surface.points[v];
     double result = std::numeric_limits<double>::infinity();
     for(const int other : edges_of_corner[v])

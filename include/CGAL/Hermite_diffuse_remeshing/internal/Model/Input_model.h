@@ -79,7 +79,8 @@ private:
     curves = chain_feature_edges(triangles, edges, edge_classes, vertex_classes,
                                  Saturation(options.maximum_displacement));
     progress(before_fit);
-    return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options, vertex_normals,
+    const Known_normals known_normals = {vertex_normals, find_end_tangents(edges, cut_mesh, curves)};
+    return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options, known_normals,
                              progress.part(before_fit, before_search_tree));
   }
 };

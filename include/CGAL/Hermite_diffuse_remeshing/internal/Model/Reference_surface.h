@@ -117,12 +117,12 @@ class Reference_surface
 public:
   Reference_surface(Indexed_triangles triangles, Cut_mesh cut_mesh,
                     const std::vector<Vertex_class>& vertex_classes, const Model_options& options,
-                    const std::vector<Vector>& vertex_normals = std::vector<Vector>(),
+                    const Known_normals& known_normals = Known_normals(),
                     const Progress& progress = Progress())
     : m_triangles(std::move(triangles)), m_cut_mesh(std::move(cut_mesh)),
       m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)),
       m_weights(m_cut_mesh, m_nodes, m_triangles.number_of_faces(),
-                estimate_node_normals(m_triangles, m_cut_mesh, options.normals, vertex_normals, options.is_parallel,
+                estimate_node_normals(m_triangles, m_cut_mesh, options.normals, known_normals, options.is_parallel,
                                       progress, m_nodes), progress.part(0., 0.)), m_options(options)
   {
     if(!options.is_solved_at_centroids)

@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Local_polynomial.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_neighborhood.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Tangent_nodes.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/end_tangents.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <algorithm>
@@ -296,13 +297,19 @@ inline Neighbors_on_lines mend_normals_at_tangent_lines(const Indexed_triangles&
   return tangent_nodes.neighbors_on_lines();
 }
 
-// Sets the normals of all nodes: those that the user knows, `vertex_normals`, which are unit vectors,
-// zero where there is none, and may be missing altogether; and estimates of the others. These are
+// What is known before the normals are estimated
+struct Known_normals
+{
+  std::vector<Vector> of_vertices;            // unit, or zero where the user gives none; or no vector at all
+  std::vector<End_tangents> end_tangents;
+};
+
+// Sets the normals of all nodes: those that the user gives, and estimates of the others. These are
 // always computed from the Max normals of all nodes, never from normals that were just updated: the
 // result does not depend on the order of the nodes. Returns the neighbours that tangent nodes have on their lines.
 inline Neighbors_on_lines estimate_node_normals(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
                                                 const Normal_estimation estimation,
-                                                const std::vector<Vector>& vertex_normals, const bool is_parallel,
+                                                const Known_normals& known_normals, const bool is_parallel,
                                                 const Progress& progress, std::vector<Node>& nodes)
 {
   const int n = cut_mesh.number_of_nodes();
@@ -314,7 +321,7 @@ inline Neighbors_on_lines estimate_node_normals(const Indexed_triangles& surface
   std::vector<bool> is_given(n);
   for(int i = 0; i < n; ++i)
   {
-    nodes[i].normal = given_normal(vertex_normals, cut_mesh, i, normals[i]);
+    nodes[i].normal = given_normal(known_normals.of_vertices, cut_mesh, i, normals[i]);
     is_given[i] = nodes[i].has_normal();
   }
 
@@ -325,6 +332,8 @@ inline Neighbors_on_lines estimate_node_normals(const Indexed_triangles& surface
       normals = smoothed_normals(cut_mesh, nodes, normals,
                                  progress.part(double(sweep) / number_of_sweeps, (sweep + 1.) / number_of_sweeps));
   }
+  if(estimation == FITTED_NORMALS)
+    correct_normals_at_ends(known_normals.end_tangents, normals);
   std::vector<double> signal_over_noise(n, 0.);
   const auto make_worker = [&]
   {
