@@ -102,11 +102,40 @@ struct Reference
     return best;
   }
 
-  // on the model, above the point of the facets that is closest to p near a face of the reference
+  // The location of the model at p, near a face of the reference: the point x of the facets that is led below p by its
+  // displacement, x = G(x), where G(x) is the foot of p - d(x). Beside an arc of few edges what is beyond these is
+  // reached from within. G may stretch: the iteration is Anderson's with one step of memory.
+  Location locate(const Vector& p, const int hint) const
+  {
+    constexpr int maximum_number_of_steps = 8;
+    constexpr double tolerance = 0.02;          // of the displacement; what comes of it is on the model in any case
+    const Indexed_triangles& triangles = surface.triangles();
+    Location location = locator.walk(p, hint);
+    Vector at = triangles.point(location), last_image = Vector::Zero(), last_step = Vector::Zero();
+    for(int i = 0; i < maximum_number_of_steps; ++i)
+    {
+      const Vector moved = displacement(location);
+      if(moved == Vector::Zero())
+        break;
+      const Location image_location = locator.walk(p - moved, location.face);
+      const Vector image = triangles.point(image_location), step = image - at, change = step - last_step;
+      if(step.norm() <= tolerance * moved.norm())
+        break;
+      const double norm = change.squaredNorm(), memory = i > 0 && norm > 0. ? step.dot(change) / norm : 0.;
+      location = memory == 0. ? image_location
+                              : locator.walk(image - memory * (image - last_image), image_location.face);
+      at = triangles.point(location);
+      last_image = image;
+      last_step = step;
+    }
+    return location;
+  }
+
+  // on the model at p, near a face of the reference
   Site surface_site(const Vector& p, const int hint) const
   {
     Site site;
-    site.location = locator.walk(p, hint);
+    site.location = locate(p, hint);
     const Local_quadric quadric = surface.evaluate(site.location);
     site.point = quadric.point() + displacement_of(site.location, quadric);
     // blended from the nodes: where a fit is badly conditioned it still points outwards

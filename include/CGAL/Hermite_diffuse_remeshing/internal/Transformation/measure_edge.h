@@ -32,7 +32,7 @@ Reference::Nearest nearest_on_model(const Working_mesh<UserMesh>& mesh, const Ve
 {
   const Reference& reference = mesh.reference();
   const auto& tm = mesh.tmesh();
-  Reference::Nearest nearest = reference.nearest(p, reference.locator.walk(p, mesh.hint(h)), tolerance_of_deviation);
+  Reference::Nearest nearest = reference.nearest(p, reference.locate(p, mesh.hint(h)), tolerance_of_deviation);
   if(nearest.distance > bound)
     for(const auto v : {source(h, tm), target(h, tm), target(next(h, tm), tm)})
     {
