@@ -320,6 +320,23 @@ void test_rims_of_few_sides()
   }
 }
 
+// What arcs enclose beyond few edges is meshed like the rest.
+void test_discs_of_few_sides()
+{
+  std::cout << "discs of few sides" << std::endl;
+  for(const int number : {9, 12})
+  {
+    Surface_mesh mesh = features::capped_cylinder<Surface_mesh>(number);
+    constexpr double size = 0.06;
+    const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.5).gradation(2.)
+                                                            .maximum_edge_length(size));
+    std::cout << "  " << number << " sides: " << report.number_of_faces << " faces of "
+              << report.predicted_number_of_faces << ", mean quality " << report.mean_quality << std::endl;
+    assert(double(report.number_of_faces) > 0.95 * report.predicted_number_of_faces);
+    assert(report.mean_quality > 0.88 && report.size_conformity > 0.995);
+  }
+}
+
 struct Border
 {
   double length = 0.;
@@ -528,6 +545,7 @@ int main()
   test_straight_edges();
   test_circles();
   test_rims_of_few_sides();
+  test_discs_of_few_sides();
   test_borders();
   test_detection();
   test_user_features();
