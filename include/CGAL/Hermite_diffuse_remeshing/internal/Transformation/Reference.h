@@ -134,10 +134,23 @@ struct Reference
   // on the model at p, near a face of the reference
   Site surface_site(const Vector& p, const int hint) const
   {
+    // The model is above the facets along normals that turn, and over coarse ones aside from their feet. A part of the
+    // size; what is less is below the steps of relocations.
+    constexpr double tolerance = 0.02;
+    constexpr int maximum_number_of_corrections = 2;
     Site site;
     site.location = locate(p, hint);
-    const Local_quadric quadric = surface.evaluate(site.location);
+    Local_quadric quadric = surface.evaluate(site.location);
     site.point = quadric.point() + displacement_of(site.location, quadric);
+    for(int i = 0; i < maximum_number_of_corrections; ++i)
+    {
+      const Vector gap = p - site.point, aside = gap - gap.dot(quadric.z_axis) * quadric.z_axis;
+      if(aside.norm() <= tolerance * sizes(site.location))
+        break;
+      site.location = locator.walk(surface.triangles().point(site.location) + aside, site.location.face);
+      quadric = surface.evaluate(site.location);
+      site.point = quadric.point() + displacement_of(site.location, quadric);
+    }
     // blended from the nodes: where a fit is badly conditioned it still points outwards
     site.normal = quadric.z_axis;
     site.size = sizes(site.location);
