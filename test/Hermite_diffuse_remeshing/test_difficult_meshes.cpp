@@ -286,6 +286,29 @@ void test_strips()
   assert(ok);
 }
 
+// one row of facets between two chains the points of which alternate
+void add_row_of_facets(const int number_of_steps, const bool is_mirrored, Indexed_triangles& strip)
+{
+  for(int i = 0; i < number_of_steps; ++i)
+  {
+    const int a = 2 * i, b = a + 1, c = a + 3, d = a + 2;
+    strip.triangles.push_back(is_mirrored ? std::array<int, 3>{{a, b, d}} : std::array<int, 3>{{a, b, c}});
+    strip.triangles.push_back(is_mirrored ? std::array<int, 3>{{b, c, d}} : std::array<int, 3>{{a, c, d}});
+  }
+}
+
+// the largest error of the model at the middles of the sides and the centroids of the faces
+template <typename Error>
+double largest_between_nodes(const Reference_surface& surface, const Error& error)
+{
+  double largest = 0.;
+  for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
+    for(const Barycentric& l : {Barycentric{{0.5, 0.5, 0.}}, Barycentric{{0., 0.5, 0.5}}, Barycentric{{0.5, 0., 0.5}},
+                                Barycentric{{1. / 3., 1. / 3., 1. / 3.}}})
+      largest = (std::max)(largest, std::abs(error(surface.evaluate({f, l}).point())));
+  return largest;
+}
+
 // At the straight ends of half a cylinder, in one row of facets, these are on one side only. Without the tangents of the
 // rims the model was off by .7 of the facets' distance there.
 void test_ends_of_strips()
@@ -298,21 +321,10 @@ void test_ends_of_strips()
     for(int i = 0; i <= number_of_steps; ++i)
       for(const double z : {0., 0.4})
         strip.points.push_back(Vector(std::cos(step * i), std::sin(step * i), z));
-    for(int i = 0; i < number_of_steps; ++i)
-    {
-      const int a = 2 * i, b = a + 1, c = a + 3, d = a + 2;
-      strip.triangles.push_back({{a, d, c}});
-      strip.triangles.push_back({{a, c, b}});
-    }
+    add_row_of_facets(number_of_steps, false, strip);
     const auto model = make_model(strip);
-    double largest = 0.;
-    for(int f = 0; f < strip.number_of_faces(); ++f)
-      for(const Barycentric& l : {Barycentric{{0.5, 0.5, 0.}}, Barycentric{{0., 0.5, 0.5}}, Barycentric{{0.5, 0., 0.5}},
-                                  Barycentric{{1. / 3., 1. / 3., 1. / 3.}}})
-      {
-        const Vector p = model->surface.evaluate({f, l}).point();
-        largest = (std::max)(largest, std::abs(std::hypot(p[0], p[1]) - 1.));
-      }
+    const double largest = largest_between_nodes(model->surface,
+                                                 [](const Vector& p) { return std::hypot(p[0], p[1]) - 1.; });
     const std::string name = "half a cylinder of " + std::to_string(number_of_steps) + " steps";
     // of order four, of which two are those of the facets' distance
     ok = is_at_most(name, largest, 0.3 * step * step * facets) && ok;
@@ -336,22 +348,13 @@ void test_helicoids()
         const double angle = 2. * analytic::pi * turns * i / number_of_steps;
         strip.points.push_back(Vector(r * std::cos(angle), r * std::sin(angle), pitch * angle));
       }
-    for(int i = 0; i < number_of_steps; ++i)
-    {
-      const int a = 2 * i, b = a + 1, c = a + 3, d = a + 2;
-      strip.triangles.push_back(is_mirrored ? std::array<int, 3>{{a, b, d}} : std::array<int, 3>{{a, b, c}});
-      strip.triangles.push_back(is_mirrored ? std::array<int, 3>{{b, c, d}} : std::array<int, 3>{{a, c, d}});
-    }
+    add_row_of_facets(number_of_steps, is_mirrored, strip);
     const auto model = make_model(strip, Model_options());
-    double largest = 0.;
-    for(int f = 0; f < strip.number_of_faces(); ++f)
-      for(const Barycentric& l : {Barycentric{{0.5, 0.5, 0.}}, Barycentric{{0., 0.5, 0.5}}, Barycentric{{0.5, 0., 0.5}},
-                                  Barycentric{{1. / 3., 1. / 3., 1. / 3.}}})
-      {
-        const Vector p = model->surface.evaluate({f, l}).point();
-        const double height = p[2] - pitch * std::atan2(p[1], p[0]);
-        largest = (std::max)(largest, std::abs(std::remainder(height, 2. * analytic::pi * pitch)));
-      }
+    const double largest = largest_between_nodes(model->surface, [&](const Vector& p)
+    {
+      const double height = p[2] - pitch * std::atan2(p[1], p[0]);
+      return std::remainder(height, 2. * analytic::pi * pitch);
+    });
     ok = is_at_most("strip of a helicoid", largest, 0.0048) && ok;
   }
   assert(ok);

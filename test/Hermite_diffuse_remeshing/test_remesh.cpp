@@ -671,7 +671,7 @@ void test_deviations_of_faces(const Surface_mesh& input)
   typedef CGAL::AABB_traits<CGAL::Kernel_traits<Point>::Kernel, Primitive> Traits;
   Surface_mesh mesh = input;
   const auto deviations = mesh.add_property_map<Surface_mesh::Face_index, double>("f:deviation").first;
-  const double bound = 2e-3 * diagonal_of_box(input), least = 0.75 * bound;
+  const double bound = 1e-3 * diagonal_of_box(input), least = 0.75 * bound;
   PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.05).gradation(2.).maximum_displacement(0.)
                                       .maximum_deviation(bound).face_deviation_map(deviations));
   const CGAL::AABB_tree<Traits> facets(faces(input).begin(), faces(input).end(), input);
@@ -699,7 +699,7 @@ void test_deviations_of_faces(const Surface_mesh& input)
 void test_maximum_displacement(const Surface_mesh& input)
 {
   std::cout << "maximum displacement" << std::endl;
-  const double length = diagonal_of_box(input), deviation = 2e-3 * length;
+  const double length = diagonal_of_box(input), deviation = 1e-3 * length;
   const auto sizes = params::approximation_error(0.05).gradation(2.);
   Surface_mesh free = input;
   const auto without = PMP::hermite_diffuse_remesh(free, sizes);

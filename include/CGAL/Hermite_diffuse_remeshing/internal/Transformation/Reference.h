@@ -139,21 +139,24 @@ struct Reference
     constexpr double tolerance = 0.02;
     constexpr int maximum_number_of_corrections = 2;
     Site site;
-    site.location = locate(p, hint);
-    Local_quadric quadric = surface.evaluate(site.location);
-    site.point = quadric.point() + displacement_of(site.location, quadric);
+    Local_quadric quadric;
+    const auto put_at = [&](const Location& location)
+    {
+      site.location = location;
+      quadric = surface.evaluate(location);
+      site.point = quadric.point() + displacement_of(location, quadric);
+      site.size = sizes(location);
+    };
+    put_at(locate(p, hint));
     for(int i = 0; i < maximum_number_of_corrections; ++i)
     {
       const Vector gap = p - site.point, aside = gap - gap.dot(quadric.z_axis) * quadric.z_axis;
-      if(aside.norm() <= tolerance * sizes(site.location))
+      if(aside.norm() <= tolerance * site.size)
         break;
-      site.location = locator.walk(surface.triangles().point(site.location) + aside, site.location.face);
-      quadric = surface.evaluate(site.location);
-      site.point = quadric.point() + displacement_of(site.location, quadric);
+      put_at(locator.walk(surface.triangles().point(site.location) + aside, site.location.face));
     }
     // blended from the nodes: where a fit is badly conditioned it still points outwards
     site.normal = quadric.z_axis;
-    site.size = sizes(site.location);
     return site;
   }
 

@@ -23,7 +23,7 @@ constexpr double tolerance_of_deviation = 1e-3;
 
 // The place of the model closest to a point over the face of h.
 //
-// Newton's method starts from the facet's point that is closest. Where the surface is steep over its
+// Newton's method starts where the point is located. Where the surface is steep over its
 // facets it may end at another part of the surface: before a point counts as farther away than `bound`, the
 // locations of the vertices around it are tried.
 template <typename UserMesh>
