@@ -45,7 +45,7 @@ public:
 
 private:
   Polynomial_moments<Degree> m_moments;
-  std::array<double, size> m_ridge = {}, m_coefficients = {};
+  std::array<double, size> m_ridge = {}, m_relative_ridge = {}, m_coefficients = {};
 
 public:
   // f(x,y) = z
@@ -78,15 +78,17 @@ public:
   // Adds `ridge` times the square of one coefficient.
   void add_ridge_on_coefficient(const int i, const double ridge) { m_ridge[i] += ridge; }
 
-  // Adds `ridge` times the squared norm of the terms of the given order. The monomials are
-  // counted with the inverse of their binomial coefficient, which makes the norm, and so the
-  // fit, independent of the directions of x and y.
-  void add_ridge(const int order, const double ridge)
+  // Adds `ridge` times the total weight of the data times the squared norm of the terms of the given order. The monomials
+  // are counted with the inverse of their binomial coefficient, which makes the norm, and so the fit, independent of the
+  // directions of x and y.
+  void add_ridge(const int order, const double ridge, const double total_weight)
   {
     double binomial = 1.;
     for(int j = 0; j <= order; ++j)
     {
-      add_ridge_on_coefficient(monomial(order, j), ridge / binomial);
+      const int i = monomial(order, j);
+      add_ridge_on_coefficient(i, ridge * total_weight / binomial);
+      m_relative_ridge[i] += ridge / binomial;
       binomial *= double(order - j) / double(j + 1);
     }
   }
@@ -94,7 +96,8 @@ public:
   // Solves for the coefficients from `First` on, the ones before stay zero (1: through the
   // origin). Returns the smallest pivot of the matrix scaled to a unit diagonal, which is in [0, 1];
   // zero or less means that the system was singular and the coefficients are not usable. The matrix
-  // is not really scaled: its pivots U^T D U are those of the scaled one times its diagonal.
+  // is not really scaled: its pivots U^T D U are those of the scaled one times its diagonal. Where data far away make
+  // the diagonal large, a pivot counts as large as the ridge that bounds what noise makes of its coefficient.
   // All loops have bounds that the compiler knows, so that it unrolls them and leaves out what is multiplied by 0.
   template <int First = 0>
   double solve()
@@ -123,7 +126,7 @@ public:
       if(!(pivot > std::numeric_limits<double>::epsilon() * diagonal[k]))
         smallest_pivot = 0.;
       if(pivot < smallest_pivot * diagonal[k])
-        smallest_pivot = pivot / diagonal[k];
+        smallest_pivot = (std::min)(smallest_pivot, (std::max)(pivot / diagonal[k], m_relative_ridge[k]));
       inverse[k] = 1. / pivot;
       for_each_constant<k + 1, size>([&](const auto row)
       {

@@ -90,7 +90,7 @@ private:
         polynomial.add_position(x[0], x[1], x[2], (1. - t) * weight);
     }
     for(int order = 2; order <= Degree; ++order)
-      polynomial.add_ridge(order, ridge * total_weight);
+      polynomial.add_ridge(order, ridge, total_weight);
     if(polynomial.template solve<1>() < least_pivot)
       return false;
     result = {frame.x_axis, frame.y_axis, frame.z_axis, polynomial[1], polynomial[2],

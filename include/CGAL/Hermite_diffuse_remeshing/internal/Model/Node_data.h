@@ -36,11 +36,12 @@ struct Node
   bool has_normal() const { return normal != Vector::Zero(); }
 
   // Of the terms of order three near the node; a large one turns a cubic into a quadratic. Because the
-  // ridge is blended over the face, the degree changes continuously.
+  // ridge is blended over the face, the degree changes continuously. Tangent nodes at both ends of an edge may be alone
+  // on it, and determine no terms across it: a fit that leaves these to rounding would not be believed there.
   double cubic_ridge() const
   {
-    constexpr double ridge[] = {1e-9, 1e-2, 1.};
-    return ridge[soft_degree];
+    constexpr double ridge[] = {1e-9, 1e-2, 1.}, ridge_of_tangent_node = 3e-5;
+    return is_tangent ? (std::max)(ridge[soft_degree], ridge_of_tangent_node) : ridge[soft_degree];
   }
 };
 

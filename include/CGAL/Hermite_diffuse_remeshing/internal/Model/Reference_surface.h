@@ -375,9 +375,9 @@ double Reference_surface::fit_of_degree(const Location& location, const Blended&
   if(waiting != nullptr)
     add_two_nodes(*waiting, *waiting, weight_of_waiting, 0.);
   // the ridge is relative to the weight of the data, which changes continuously with the query
-  polynomial.add_ridge(2, ridge * total_weight);
+  polynomial.add_ridge(2, ridge, total_weight);
   for(int order = 3; order <= Degree; ++order)
-    polynomial.add_ridge(order, (m_options.has_soft_degree ? blended.cubic_ridge : ridge) * total_weight);
+    polynomial.add_ridge(order, m_options.has_soft_degree ? blended.cubic_ridge : ridge, total_weight);
   const double pivot = polynomial.solve();
   for(int i = 0; i < 6; ++i)
     result.a[i] = pivot > 0. ? polynomial[i] : 0.;

@@ -9,8 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TANGENT_NODES_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TANGENT_NODES_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Scatter_of_normals.h>
 
 #include <algorithm>
 #include <array>
@@ -65,32 +65,6 @@ class Tangent_nodes
     bool is_flat;                                     // they agree in all directions
   };
 
-  // of normals around one of them, in its plane
-  class Scatter
-  {
-    Vector m_x, m_y;
-    double m_xx = 0., m_xy = 0., m_yy = 0.;
-
-  public:
-    explicit Scatter(const Vector& normal) : m_x(any_normal(normal)), m_y(normal.cross(m_x)) {}
-
-    void add(const Vector& n)
-    {
-      m_xx += n.dot(m_x) * n.dot(m_x);
-      m_xy += n.dot(m_x) * n.dot(m_y);
-      m_yy += n.dot(m_y) * n.dot(m_y);
-    }
-
-    // between the two principal ones
-    double difference() const { return std::hypot(m_xx - m_yy, 2. * m_xy); }
-
-    Vector widest() const
-    {
-      const double angle = angle_of_larger_axis(m_xx, m_xy, m_yy);
-      return std::cos(angle) * m_x + std::sin(angle) * m_y;
-    }
-  };
-
   struct Candidate
   {
     Large_facets facets;
@@ -106,11 +80,12 @@ public:
     for(const Node& node : nodes)
       m_normals.push_back(node.normal);
     lean_on_large_facets(is_given);
+    std::vector<Vector> settled = m_normals;
     for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
       if(nodes[i].has_normal() && has_edges_of_different_lengths(i))
       {
         const Large_facets facets = large_facets(i);
-        if(!is_tangent(facets))
+        if(!is_tangent(facets, settled[i]))
           continue;
         m_tangent.push_back(i);
         std::vector<int> on_lines;
@@ -120,6 +95,9 @@ public:
           for(const int j : on_lines)
             m_on_lines.emplace_back(i, j);
       }
+    for(const int i : m_tangent)
+      if(!is_given[i])
+        m_normals[i] = settled[i];
   }
 
   const Vector& normal(const int node) const { return m_normals[node]; }
@@ -164,22 +142,35 @@ private:
     }
   }
 
-  // From 0 to 1: does the surface rise over the long edges of the node by more than over its short ones?
-  double excess_of_rise(const int i) const
+  // how far the surface turns away from the node's tangent plane over its edges: the farthest, and what is usual
+  struct Rises
   {
-    double largest = 0., curvature = 0., sum = 0.;
+    double largest = 0., usual = 0.;
+  };
+
+  Rises rises(const int i) const
+  {
+    Rises result;
+    double curvature = 0., sum = 0.;
     for(const int j : m_cut_mesh.ring(i))
     {
       const Vector d = position(j) - position(i);
       const double squared_length = d.squaredNorm(), rise = std::abs(m_nodes[i].normal.dot(d));
       if(!(squared_length > 0.))
-        return 0.;
-      largest = (std::max)(largest, rise);
+        return Rises();
+      result.largest = (std::max)(result.largest, rise);
       curvature = (std::max)(curvature, rise / squared_length);
       sum += 1. / squared_length;
     }
-    const double usual = curvature * m_cut_mesh.ring(i).size() / sum;
-    return usual > 0. ? ramp(largest / usual, least_ratio, sure_ratio) : 0.;
+    result.usual = curvature * m_cut_mesh.ring(i).size() / sum;
+    return result;
+  }
+
+  // From 0 to 1: does the surface rise over the long edges of the node by more than over its short ones?
+  double excess_of_rise(const int i) const
+  {
+    const Rises r = rises(i);
+    return r.usual > 0. ? ramp(r.largest / r.usual, least_ratio, sure_ratio) : 0.;
   }
 
   bool has_edges_of_different_lengths(const int i) const
@@ -215,12 +206,11 @@ private:
     });
     if(sum.norm() > 0.)
       result.normal = sum.normalized();
-    std::sort(result.neighbors.begin(), result.neighbors.end());
-    result.neighbors.erase(std::unique(result.neighbors.begin(), result.neighbors.end()), result.neighbors.end());
-    std::sort(result.other_neighbors.begin(), result.other_neighbors.end());
-    result.other_neighbors.erase(std::unique(result.other_neighbors.begin(), result.other_neighbors.end()),
-                                 result.other_neighbors.end());
-
+    for(std::vector<int>* const neighbors : {&result.neighbors, &result.other_neighbors})
+    {
+      std::sort(neighbors->begin(), neighbors->end());
+      neighbors->erase(std::unique(neighbors->begin(), neighbors->end()), neighbors->end());
+    }
     find_directions(result);
     return result;
   }
@@ -228,7 +218,7 @@ private:
   void find_directions(Large_facets& facets) const
   {
     const Vector& normal = facets.normal;
-    Scatter of_large(normal), of_small(normal);
+    Scatter_of_normals of_large(normal), of_small(normal);
     for(const Vector& n : facets.normals)
       of_large.add(n);
     // squares of angles in radians: below it facets agree in all directions, and rounding must not choose
@@ -351,21 +341,42 @@ private:
     return false;
   }
 
-  // Do the large facets agree along a direction in which the small ones turn away, along arcs that begin here?
-  bool is_tangent(const Large_facets& facets) const
+  // of the normals of the small facets' nodes, along one of the two directions
+  double turn_of_small(const Large_facets& facets, const Vector& normal, const Vector& direction) const
   {
+    double result = 0.;
+    for(const int j : facets.other_neighbors)
+      if(m_nodes[j].has_normal())
+        result = (std::max)(result, std::abs(direction.dot(neighbor_normal(j) - normal)));
+    return result;
+  }
+
+  // Do the large facets agree along a direction in which the small ones turn away, along arcs that begin here? Then
+  // `settled` is the normal that is theirs along it, unless what is missing is what irregular facets of a cylinder turn.
+  bool is_tangent(const Large_facets& facets, Vector& settled) const
+  {
+    // of what the small facets turn in the other direction, and of the rise over their edges
+    constexpr double least_turn_of_small = 0.4, least_bulge = 0.3;
     const Vector& normal = m_normals[facets.node];
-    for(const Vector& direction : facets.directions)
+    bool result = false;
+    for(int k = 0; k < 2; ++k)
     {
-      double turn = 0.;
-      for(const int j : facets.other_neighbors)
-        if(m_nodes[j].has_normal())
-          turn = (std::max)(turn, std::abs(direction.dot(neighbor_normal(j) - normal)));
-      if(turn > least_turn
-         && (std::max)(spread(facets, normal, direction), spread_at_ends(facets, normal, direction)) < agreeing * turn)
-        return true;
+      const Vector& direction = facets.directions[k];
+      const double turn = turn_of_small(facets, normal, direction);
+      if(!(turn > least_turn)
+         || !((std::max)(spread(facets, normal, direction), spread_at_ends(facets, normal, direction)) < agreeing * turn))
+        continue;
+      result = true;
+      const Vector missing = (facets.normal - normal).dot(direction) * direction;
+      double bulge = 0.;
+      for(const int j : facets.neighbors)
+        bulge = (std::max)(bulge, std::abs(missing.dot(position(j) - position(facets.node))));
+      if(turn > least_turn_of_small * turn_of_small(facets, normal, facets.directions[1 - k])
+         && bulge > least_bulge * rises(facets.node).usual)
+        settled += missing;
     }
-    return false;
+    settled.normalize();
+    return result;
   }
 };
 

@@ -231,7 +231,7 @@ Vector smoothed_normal(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
     if(frame.slopes_of_normal(normals[j], p, q))
       polynomial.add_slopes(x[0], x[1], p, q, slope_weight);
   }
-  polynomial.add_ridge(2, relative_ridge * (ring.size() + 1));
+  polynomial.add_ridge(2, relative_ridge, double(ring.size() + 1));
   return polynomial.solve() > 0. ? frame.normal_of_slopes(polynomial[1], polynomial[2]) : normals[i];
 }
 
