@@ -35,11 +35,13 @@ file(GLOB _users_headers CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}"
      include/CGAL/*.h include/CGAL/Polygon_mesh_processing/*.h include/CGAL/Hermite_diffuse_remeshing/*.h)
 file(GLOB_RECURSE _sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" include/*.h benchmark/*.cpp)
 
-# clang compiles only once what they have in common: the libraries' headers, and the model and the working mesh on the
-# way. Only the headers that users include must bring all libraries' headers of theirs; the others are seen after these.
-# One of ours is seen first by those sources alone that include it themselves. Benchmarks are seen after what they share
-# with the tests.
+# clang compiles only once what they have in common. Only the headers that users include must bring all libraries' headers
+# of theirs: these are seen after those internal ones, and the remeshing, that they include themselves, in the order in
+# which they build on each other. The internal ones are seen after all libraries' headers, and after the model and the
+# working mesh if they include these. Benchmarks are seen after what they share with the tests.
+set(_input include/CGAL/Hermite_diffuse_remeshing/internal/read_input.h)
 set(_model include/CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h)
+set(_stages include/CGAL/Hermite_diffuse_remeshing/internal/run_stages.h)
 set(_working_mesh include/CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h)
 set(_remeshing include/CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h)
 
@@ -87,30 +89,34 @@ if(Hermite_diffuse_remeshing_CHECK_COMPILER MATCHES "clang")
   precompile(libraries "" "${_library_headers}")
   precompile(libraries_and_model libraries "#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
   precompile(libraries_and_mesh libraries_and_model "#include \"${PROJECT_SOURCE_DIR}/${_working_mesh}\"")
-  precompile(model "" "#include \"${PROJECT_SOURCE_DIR}/${_model}\"")
-  precompile(remeshing model "#include \"${PROJECT_SOURCE_DIR}/${_remeshing}\"")
+  set(_before "")
+  foreach(_header input model stages remeshing)
+    precompile(${_header} "${_before}" "#include \"${PROJECT_SOURCE_DIR}/${_${_header}}\"")
+    set(_before ${_header})
+  endforeach()
   precompile(tests remeshing "#include \"${PROJECT_SOURCE_DIR}/test/compiled_once.h\"")
 endif()
 
 foreach(_source ${_sources})
   string(MAKE_C_IDENTIFIER "${_source}" _name)
-  foreach(_header model working_mesh remeshing)
+  foreach(_header input model stages working_mesh remeshing)
     includes_header("${_source}" "${_${_header}}" _includes_${_header})
   endforeach()
   set(_precompiled)
-  if(_source STREQUAL _model OR _source STREQUAL _remeshing)
-    # alone indeed
+  if(_source STREQUAL _remeshing)
+    # alone indeed, in the order of its includes
   elseif(_source MATCHES "^benchmark/")
     set(_precompiled tests)
-  elseif(_includes_remeshing)
-    set(_precompiled remeshing)
   elseif(_source IN_LIST _users_headers)
-    if(_includes_model)
-      set(_precompiled model)
-    endif()
+    foreach(_header input model stages remeshing)
+      if(NOT _includes_${_header})
+        break()
+      endif()
+      set(_precompiled ${_header})
+    endforeach()
   elseif(_includes_working_mesh AND NOT _source STREQUAL _working_mesh)
     set(_precompiled libraries_and_mesh)
-  elseif(_includes_model)
+  elseif(_includes_model AND NOT _source STREQUAL _model)
     set(_precompiled libraries_and_model)
   else()
     set(_precompiled libraries)
