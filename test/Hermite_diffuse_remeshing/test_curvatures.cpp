@@ -6,6 +6,7 @@
 #include <CGAL/Hermite_diffuse_surface.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_curvatures.h>
 
+#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -280,10 +281,94 @@ void test_misuse()
   assert(is_refused(at_first));
 }
 
+// Beside the border of a structured mesh the positions lie on few rows: what they do not determine must not turn the
+// normals there, nor what noise makes of terms of high order.
+void test_borders_of_rows()
+{
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
+  constexpr int n = 32;
+  bool ok = true;
+  for(const double noise : {0., 0.01})                            // relative to the edges
+  {
+    analytic::Random random(1);
+    analytic::Triangles triangles;
+    for(int i = 0; i <= n; ++i)
+      for(int j = 0; j <= n; ++j)
+      {
+        const double x = double(i) / n, y = double(j) / n;
+        triangles.points.push_back({{x, y, 0.3 * std::sin(2. * x + 0.3) * std::cos(1.7 * y) + noise * random(-1., 1.) / n}});
+      }
+    for(int i = 0; i < n; ++i)
+      for(int j = 0; j < n; ++j)
+      {
+        const std::size_t a = i * (n + 1) + j, b = a + n + 1, c = b + 1, d = a + 1;
+        const bool is_other = random(-1., 1.) < 0.;
+        triangles.faces.push_back({{a, b, is_other ? d : c}});
+        triangles.faces.push_back({{is_other ? b : a, c, d}});
+      }
+    const Mesh mesh = make_mesh<Mesh>(triangles);
+    const CGAL::Hermite_diffuse_surface<Mesh> surface(mesh);
+    double error = 0.;
+    for(const auto h : halfedges(mesh))
+    {
+      if(!CGAL::is_border(h, mesh))
+        continue;
+      const Point_3& p = mesh.point(target(h, mesh));
+      const Vector_3 exact(-0.6 * std::cos(2. * p.x() + 0.3) * std::cos(1.7 * p.y()),
+                           0.51 * std::sin(2. * p.x() + 0.3) * std::sin(1.7 * p.y()), 1.);
+      const Vector_3 normal = surface.normal(surface.vertex_location(opposite(next(h, mesh), mesh), mesh));
+      error = (std::max)(error, std::sqrt((normal - exact / std::sqrt(exact.squared_length())).squared_length()));
+    }
+    ok = is_at_most("border of rows, normal", error, noise > 0. ? 0.1 : 3e-4) && ok;
+  }
+  assert(ok);
+}
+
+// The order of the faces and of their corners changes nothing; nor does asking for one vertex.
+void test_order()
+{
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
+  std::vector<Point_3> points;
+  std::vector<std::array<std::size_t, 3> > faces;
+  const bool is_read = CGAL::IO::read_polygon_soup(CGAL::data_file_path("meshes/fandisk.off"), points, faces);
+  assert(is_read);
+  analytic::Triangles triangles, reordered;
+  for(const Point_3& p : points)
+    triangles.points.push_back({{p.x(), p.y(), p.z()}});
+  for(const auto& f : faces)
+    triangles.faces.push_back({{f[0], f[1], f[2]}});
+  reordered = triangles;
+  std::reverse(reordered.faces.begin(), reordered.faces.end());
+  for(std::size_t i = 0; i < reordered.faces.size(); ++i)
+    std::rotate(reordered.faces[i].begin(), reordered.faces[i].begin() + i % 3, reordered.faces[i].end());
+  const Mesh a = make_mesh<Mesh>(triangles), b = make_mesh<Mesh>(reordered);
+  auto of_a = get(CGAL::dynamic_vertex_property_t<Principal>(), a);
+  auto of_b = get(CGAL::dynamic_vertex_property_t<Principal>(), b);
+  PMP::hermite_diffuse_curvatures(a, np::principal_curvatures_map(of_a));
+  PMP::hermite_diffuse_curvatures(b, np::principal_curvatures_map(of_b));
+  const auto are_equal = [](const Principal& k, const Principal& l)
+  {
+    const double scale = 1e-3 + (std::max)(std::abs(k.maximum_curvature), std::abs(k.minimum_curvature));
+    return std::abs(k.maximum_curvature - l.maximum_curvature) < 1e-6 * scale
+        && std::abs(k.minimum_curvature - l.minimum_curvature) < 1e-6 * scale;
+  };
+  for(const auto v : a.vertices())
+  {
+    assert(are_equal(get(of_a, v), get(of_b, v)));
+    if(v.idx() % 64 != 0)
+      continue;
+    Principal one;
+    PMP::hermite_diffuse_curvatures(v, a, np::principal_curvatures(std::ref(one)));
+    assert(are_equal(get(of_a, v), one));
+  }
+}
+
 int main()
 {
   test_accuracy();
   test_borders();
+  test_borders_of_rows();
+  test_order();
   test_noise();
   test_functions<CGAL::Surface_mesh<Point_3> >();
   test_functions<CGAL::Polyhedron_3<Kernel> >();

@@ -11,6 +11,8 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Polynomial_moments.h>
 
+#include <CGAL/number_type_basic.h>
+
 #include <Eigen/Core>
 #include <Eigen/Householder>
 
@@ -100,7 +102,94 @@ public:
   // the diagonal large, a pivot counts as large as the ridge that bounds what noise makes of its coefficient.
   // All loops have bounds that the compiler knows, so that it unrolls them and leaves out what is multiplied by 0.
   template <int First = 0>
-  double solve()
+  double solve() { return solve_and_look<First>([](const Matrix&, const std::array<double, size>&) {}); }
+
+  // Solves for the coefficients from the slopes at the origin on, through which the polynomial passes. Returns the variance
+  // of all of them, if the data have the inverse of their weights for variances; infinite where the system is singular.
+  // Other than a pivot, one of which hides another, it does not depend on the directions of x and y: where positions lie on
+  // few lines pivots differ by seven orders of magnitude.
+  double solve_through_origin()
+  {
+    double variance = 0.;
+    const double pivot = solve_and_look<1>([&](const Matrix& a, const std::array<double, size>& inverse)
+    {
+      variance = total_variance([&](const int k, const int i) { return entry(a, k, i) * inverse[k]; },
+                                [&](const int i) { return inverse[i]; }, [](const int) { return 1.; });
+    });
+    return pivot > 0. ? variance : (std::numeric_limits<double>::infinity)();
+  }
+
+  // Same, by orthogonal transformations, for positions alone, the rows x, y, z, weight: several times slower, but a variance
+  // that is infinite comes out as the inverse of a squared rounding error, where the normal equations can make 1e6 of it.
+  double solve_through_origin_by_orthogonalization(const Eigen::Matrix<double, Eigen::Dynamic, 4>& positions)
+  {
+    constexpr int first = 1, number_of_unknowns = size - first;
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
+    const Eigen::Index n = positions.rows();
+    Eigen::MatrixXd matrix(n, number_of_unknowns + 1);          // the right hand side in the last column
+    for(Eigen::Index i = 0; i < n; ++i)
+    {
+      const std::array<double, size> m = monomials(positions(i, 0), positions(i, 1));
+      const double root = std::sqrt(positions(i, 3));
+      for(int j = 0; j < number_of_unknowns; ++j)
+        matrix(i, j) = root * m[first + j];
+      matrix(i, number_of_unknowns) = root * positions(i, 2);
+    }
+    const Eigen::VectorXd scale = matrix.leftCols(number_of_unknowns).colwise().norm();
+    if(n < number_of_unknowns || !(scale.minCoeff() > 0.))
+      return infinity;
+    matrix.leftCols(number_of_unknowns).array().rowwise() /= scale.transpose().array();
+    triangularize(matrix);
+    if(!(matrix.diagonal().head(number_of_unknowns).cwiseAbs().minCoeff() > 0.))
+      return infinity;
+    m_coefficients.fill(0.);
+    for(int k = number_of_unknowns - 1; k >= 0; --k)
+    {
+      double rest = matrix(k, number_of_unknowns);
+      for(int j = k + 1; j < number_of_unknowns; ++j)
+        rest -= matrix(k, j) * m_coefficients[first + j];
+      m_coefficients[first + k] = rest / matrix(k, k);
+    }
+    for(int j = 0; j < number_of_unknowns; ++j)
+      m_coefficients[first + j] /= scale[j];
+    return total_variance([&](const int k, const int i) { return matrix(k - first, i - first) / matrix(k - first, k - first); },
+                          [&](const int i) { return 1. / CGAL::square(matrix(i - first, i - first)); },
+                          [&](const int i) { return scale[i - first]; });
+  }
+
+  double operator[](const int i) const { return m_coefficients[i]; }
+
+  // f(x,y)
+  double operator()(const double x, const double y) const
+  {
+    const std::array<double, size> m = monomials(x, y);
+    double sum = 0.;
+    for(int i = 0; i < size; ++i)
+      sum += m_coefficients[i] * m[i];
+    return sum;
+  }
+
+  // Of the terms of the given order, independent of the directions of x and y, see `add_ridge()`.
+  double squared_norm(const int order) const
+  {
+    double sum = 0., binomial = 1.;
+    for(int j = 0; j <= order; ++j)
+    {
+      const double c = m_coefficients[monomial(order, j)];
+      sum += c * c / binomial;
+      binomial *= double(order - j) / double(j + 1);
+    }
+    return sum;
+  }
+
+private:
+  // The upper triangle, in pairs of columns. What is left of the diagonal, or beyond an odd number, is not read.
+  static constexpr int number_of_pairs = (size + 1) / 2;
+  typedef std::array<std::array<Pair, number_of_pairs>, size> Matrix;
+
+  // `look(matrix, inverse of its diagonal)` after the elimination
+  template <int First, typename Look>
+  double solve_and_look(const Look& look)
   {
     m_moments.finish();
     Matrix a;
@@ -139,6 +228,7 @@ public:
     });
     if(!(smallest_pivot > 0.))
       return 0.;
+    look(a, inverse);
     // column by column: what follows waits for one product only, not for a sum of them
     for_each_constant<First, size>([&](const auto index)
     {
@@ -150,73 +240,6 @@ public:
     return smallest_pivot;
   }
 
-  // The same for positions alone, the rows x, y, z, weight, by orthogonal transformations: several times
-  // slower, but a pivot that is zero comes out as the square of a rounding error, where the normal
-  // equations can make 1e-6 of it.
-  double solve_by_orthogonalization(const Eigen::Matrix<double, Eigen::Dynamic, 4>& positions, const int first)
-  {
-    const Eigen::Index n = positions.rows();
-    const int number_of_unknowns = size - first;
-    Eigen::MatrixXd matrix(n, number_of_unknowns + 1);          // the right hand side in the last column
-    for(Eigen::Index i = 0; i < n; ++i)
-    {
-      const std::array<double, size> m = monomials(positions(i, 0), positions(i, 1));
-      const double root = std::sqrt(positions(i, 3));
-      for(int j = 0; j < number_of_unknowns; ++j)
-        matrix(i, j) = root * m[first + j];
-      matrix(i, number_of_unknowns) = root * positions(i, 2);
-    }
-    const Eigen::VectorXd scale = matrix.leftCols(number_of_unknowns).colwise().norm();
-    if(n < number_of_unknowns || !(scale.minCoeff() > 0.))
-      return 0.;
-    matrix.leftCols(number_of_unknowns).array().rowwise() /= scale.transpose().array();
-    triangularize(matrix);
-    const double least = matrix.diagonal().head(number_of_unknowns).cwiseAbs().minCoeff();
-    if(!(least > 0.))
-      return 0.;
-    m_coefficients.fill(0.);
-    for(int k = number_of_unknowns - 1; k >= 0; --k)
-    {
-      double rest = matrix(k, number_of_unknowns);
-      for(int j = k + 1; j < number_of_unknowns; ++j)
-        rest -= matrix(k, j) * m_coefficients[first + j];
-      m_coefficients[first + k] = rest / matrix(k, k);
-    }
-    for(int j = 0; j < number_of_unknowns; ++j)
-      m_coefficients[first + j] /= scale[j];
-    return least * least;
-  }
-
-  double operator[](const int i) const { return m_coefficients[i]; }
-
-  // f(x,y)
-  double operator()(const double x, const double y) const
-  {
-    const std::array<double, size> m = monomials(x, y);
-    double sum = 0.;
-    for(int i = 0; i < size; ++i)
-      sum += m_coefficients[i] * m[i];
-    return sum;
-  }
-
-  // Of the terms of the given order, independent of the directions of x and y, see `add_ridge()`.
-  double squared_norm(const int order) const
-  {
-    double sum = 0., binomial = 1.;
-    for(int j = 0; j <= order; ++j)
-    {
-      const double c = m_coefficients[monomial(order, j)];
-      sum += c * c / binomial;
-      binomial *= double(order - j) / double(j + 1);
-    }
-    return sum;
-  }
-
-private:
-  // The upper triangle, in pairs of columns. What is left of the diagonal, or beyond an odd number, is not read.
-  static constexpr int number_of_pairs = (size + 1) / 2;
-  typedef std::array<std::array<Pair, number_of_pairs>, size> Matrix;
-
   static double entry(const Matrix& a, const int i, const int j) { return a[i][j / 2][j % 2]; }
 
   template <int Row, int Column>
@@ -226,6 +249,35 @@ private:
       return 0.;
     else
       return m_moments.template matrix_entry<Row, Column>() + (Row == Column ? m_ridge[Row] : 0.);
+  }
+
+  // Of all unknowns but the first, those of one order counted as in `squared_norm()`: the matrix of covariances is
+  // U^-1 D^-1 U^-T, with `factor(row, column)` of U, whose diagonal is 1, and `inverse(row)` of D, for unknowns that are
+  // `scale(row)` times as large.
+  template <typename Factor, typename Inverse, typename Scale>
+  static double total_variance(const Factor& factor, const Inverse& inverse, const Scale& scale)
+  {
+    double result = 0.;
+    for(int order = 1; order <= Degree; ++order)
+    {
+      double binomial = 1.;
+      for(int j = 0; j <= order; ++j)
+      {
+        const int unknown = monomial(order, j);
+        std::array<double, size> row = {};
+        double variance = 0.;
+        for(int i = unknown; i < size; ++i)
+        {
+          row[i] = i == unknown ? 1. : 0.;
+          for(int k = unknown; k < i; ++k)
+            row[i] -= factor(k, i) * row[k];
+          variance += row[i] * row[i] * inverse(i);
+        }
+        result += variance / (binomial * CGAL::square(scale(unknown)));
+        binomial *= double(order - j) / double(j + 1);
+      }
+    }
+    return result;
   }
 
   // Householder's reflections on all columns but the last. Eigen's class for them works in blocks, which take longer to
