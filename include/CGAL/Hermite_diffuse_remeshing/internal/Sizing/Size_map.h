@@ -71,7 +71,7 @@ public:
   Size_map(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
            const Size_options& options, const std::vector<char>& is_edge_frozen = std::vector<char>(),
            const Progress& progress = Progress())
-    : m_sources(surface, options), m_progress(progress), m_cells(surface.triangles())
+    : m_sources(surface, edges, options), m_progress(progress), m_cells(surface.triangles())
     , m_curve_sizes(surface, edges, curves, m_sources)
   {
     m_area_ratios.resize(surface.triangles().number_of_faces());
@@ -297,7 +297,7 @@ private:
     {
       const Location location = location_on_facet(m_sources.triangles(), cell.face, m_samples.position(sample));
       if(is_new || is_on_curve)
-        lower(sample, is_on_curve ? m_sources.of_surface_beside(location) : m_sources.of_surface(location));
+        lower(sample, is_on_curve ? m_sources.of_surface_beside(location) : m_sources.of_surface_around(location));
       if(is_user_asked)
         lower_user_size(sample, m_sources.of_user(location));
     }

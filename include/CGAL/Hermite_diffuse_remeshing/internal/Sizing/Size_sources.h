@@ -49,11 +49,12 @@ struct Size_options
 class Size_sources
 {
   const Reference_surface& m_surface;
+  const Edge_table& m_edges;
   Size_options m_options;
 
 public:
-  Size_sources(const Reference_surface& surface, const Size_options& options)
-    : m_surface(surface), m_options(options)
+  Size_sources(const Reference_surface& surface, const Edge_table& edges, const Size_options& options)
+    : m_surface(surface), m_edges(edges), m_options(options)
   {}
 
   const Size_options& options() const { return m_options; }
@@ -114,6 +115,25 @@ public:
     for(int k = 0; k < 3; ++k)
       inside.coordinates[k] = k == opposite ? 1. / 3. : 2. / 3. * b[k] / (1. - b[opposite]);
     return of_surface(inside);
+  }
+
+  // Where sizes are sampled inside a facet or on a side of it. Between tangent nodes the surface bends on one side of the
+  // line only, and the fit on it knows neither: the faces at both sides tell.
+  double of_surface_around(const Location& location) const
+  {
+    constexpr double on_side = 1e-9;
+    const Barycentric& b = location.coordinates;
+    const int side = next(static_cast<int>(std::min_element(b.begin(), b.end()) - b.begin()));
+    const auto is_tangent = [&](const int corner)
+    { return m_surface.node(m_surface.cut_mesh().node(location.face, corner)).is_tangent; };
+    if(b[previous(side)] > on_side || !is_tangent(side) || !is_tangent(next(side)))
+      return of_surface(location);
+    const Vector p = triangles().point(location);
+    const int e = m_edges.edge(location.face, side);
+    double result = std::numeric_limits<double>::infinity();
+    for(int i = 0; i < m_edges.number_of_sides(e); ++i)
+      result = (std::min)(result, of_surface_beside(location_on_facet(triangles(), m_edges.side(e, i).face, p)));
+    return result;
   }
 
   // of the surface
