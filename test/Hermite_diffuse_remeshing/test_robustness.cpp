@@ -362,6 +362,38 @@ void test_row_of_needles()
     }
 }
 
+// Needles across the direction in which the surface bends: it rises over them by more than they are wide, and each of
+// them alone could not be split.
+void test_needles_across_curvature()
+{
+  std::cout << "needles across curvature" << std::endl;
+  std::vector<std::array<double, 2> > profile;
+  for(const double degrees : {-60., -36., -12., 12., 36., 60.})
+    profile.push_back({{std::cos(degrees / 180. * CGAL_PI), std::sin(degrees / 180. * CGAL_PI)}});
+  analytic::Random random(1);
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::surface_of_revolution(400, profile, random));
+  Surface_mesh mesh = input;
+  const auto report = PMP::hermite_diffuse_remesh(mesh);
+  assert(report.stop_reason == HDR::CONVERGED && report.size_conformity > 0.9);
+  assert(report.smallest_quality > 0.5 && report.largest_deviation < 0.02);       // the facets of the input: 0.022
+  check_result(input, mesh);
+}
+
+// The sizes of a fillet reach far into the flat sides, of which the facets end at it: elements that step over it would
+// leave a chamfer.
+void test_fillets_beside_large_facets()
+{
+  std::cout << "fillets beside large facets" << std::endl;
+  analytic::Random random(1);
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::rounded_box({{5., 4., 2.5}}, 0.3, 8, random));
+  Surface_mesh mesh = input;
+  const auto report = PMP::hermite_diffuse_remesh(mesh);
+  assert(report.stop_reason == HDR::CONVERGED && report.size_conformity > 0.95 && report.mean_quality > 0.85);
+  assert(report.largest_deviation < 0.03);                                        // a tenth of the radius
+  assert(report.number_of_faces > 0.8 * report.predicted_number_of_faces);
+  check_result(input, mesh);
+}
+
 // Small sizes beside long edges that must stay: the faces there stay long too, and nothing cascades.
 void test_protected_long_edges()
 {
@@ -438,6 +470,8 @@ int main()
   test_bound_beyond_face_cap();
   test_high_degree();
   test_row_of_needles();
+  test_needles_across_curvature();
+  test_fillets_beside_large_facets();
   test_protected_long_edges();
   test_attributes();
   std::cout << "done" << std::endl;

@@ -67,13 +67,17 @@ bool is_split_topologically_legal(const Working_mesh<UserMesh>& mesh,
   return std::adjacent_find(opposite_vertices.begin(), opposite_vertices.end()) == opposite_vertices.end();
 }
 
-// May the edge be split at the site? None of the triangles it makes may be turned over, and none
+// Which triangles may a split leave?
+enum Split_rule { GOOD_HALVES, ANY_HALVES };
+
+// May the edge be split at the site? By the rule of good halves, none of the triangles it makes may be turned over, and none
 // may be thinner than halving a triangle explains. Long strips between features consist of needles before they are
 // split: where their normals are still right, their shape does not matter. Along a curve edges that are far too long
 // are split in any case.
 template <typename UserMesh>
 bool is_split_legal(const Working_mesh<UserMesh>& mesh,
-                    const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site)
+                    const typename Working_mesh<UserMesh>::halfedge_descriptor h, const Site& site,
+                    const Split_rule rule = GOOD_HALVES)
 {
   if(!is_split_topologically_legal(mesh, h))
     return false;
@@ -100,6 +104,8 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
   // of flat triangles no operation would find back
   if(after.quality <= least_score_of_half && before.quality > least_score_of_half)
     return false;
+  if(rule == ANY_HALVES)
+    return true;
   // Nothing else follows a feature where the triangles at it are turned over, as at a fold of the model: there its
   // edges would keep the length of the input.
   constexpr double longest_length_on_curve = 4.;
@@ -114,7 +120,8 @@ bool is_split_legal(const Working_mesh<UserMesh>& mesh,
 // them are looked at.
 template <typename UserMesh, typename IsReady>
 std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
-                                  const Edge_order order, const double slack, const IsReady& is_ready)
+                                  const Edge_order order, const double slack, const IsReady& is_ready,
+                                  const Split_rule rule = GOOD_HALVES)
 {
   typedef typename Working_mesh<UserMesh>::halfedge_descriptor halfedge_descriptor;
   const std::size_t before = mesh.counts().splits;
@@ -126,7 +133,7 @@ std::size_t split_long_edges_once(Working_mesh<UserMesh>& mesh, const double bou
                      { return mesh.is_full() ? Site() : middle_site(mesh, candidate.halfedge); },
                      [&](const auto& candidate, const Site& site, std::size_t)
   {
-    if(is_ready(candidate.halfedge) && is_split_legal(mesh, candidate.halfedge, site)
+    if(is_ready(candidate.halfedge) && is_split_legal(mesh, candidate.halfedge, site, rule)
        && is_split_free(mesh, candidate.halfedge, site))
       mesh.split_edge(candidate.halfedge, site);
   });
@@ -158,13 +165,32 @@ std::size_t split_in_rounds(Working_mesh<UserMesh>& mesh, std::size_t since, con
   return mesh.counts().splits - before;
 }
 
-// Edges that are still too long after one round are met again in the next.
+// Edges that are still too long after one round are met again in the next. Where nearly all of them have to stay, because
+// the model rises over needles by more than these are wide and turns their halves over, they are split nevertheless: what
+// is turned while its neighbours wait for the same is mended by flips.
 template <typename UserMesh>
 std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
                              const double slack = 1.)
 {
-  return split_in_rounds(mesh, since, [&](const std::size_t since_round)
-                         { return split_long_edges_once(mesh, bound, since_round, LONGEST_FIRST, slack); });
+  const auto split_by = [&](const Split_rule rule)
+  {
+    return split_in_rounds(mesh, since, [&](const std::size_t since_round)
+    { return split_long_edges_once(mesh, bound, since_round, LONGEST_FIRST, slack, [](auto) { return true; }, rule); });
+  };
+  // of the edges that stay, and these of the faces: less than that is nothing
+  constexpr double negligible_part = 0.1, considerable_part_of_faces = 0.1;
+  const std::size_t number = split_by(GOOD_HALVES);
+  double number_left = 0.;
+  if(double(number) < negligible_part * double(mesh.number_of_faces()))
+    visit_changed_edges(mesh, since, [&](const auto h)
+    {
+      if(mesh.relative_length(h) > bound && !mesh.is_protected(h) && mesh.is_inside(edge(h, mesh.tmesh())))
+        ++number_left;
+    });
+  if(double(number) < negligible_part * number_left
+     && number_left > considerable_part_of_faces * double(mesh.number_of_faces()))
+    return number + split_by(ANY_HALVES);
+  return number;
 }
 
 } // namespace internal
