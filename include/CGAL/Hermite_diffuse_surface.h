@@ -206,7 +206,9 @@ public:
   }
 
   /// same, from a location that is known to be near, without a search; stays on the hint's side of
-  /// every feature.
+  /// every feature. The query is not checked.
+  ///
+  /// \pre the coordinates of the query are finite
   Face_location project(const Point_3& query, const Face_location& hint) const
   {
     return to_face_location(m_model->locator.project(from_point(query), get(m_rank, hint.first)).location);

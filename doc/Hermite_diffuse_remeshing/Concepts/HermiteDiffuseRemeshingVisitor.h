@@ -47,8 +47,8 @@ public:
   /// is called when the stage ends.
   void stage_ends(const char* name);
 
-  /// is asked all the time, in every stage: for a mesh of 100000 faces every few milliseconds, and at least every
-  /// 50 milliseconds of processor time, so it must be quick itself. Once it returns `true` it is not asked again,
+  /// is asked all the time, in every stage but the report: for a mesh of 100000 faces every few milliseconds, and at
+  /// least every 50 milliseconds of processor time, so it must be quick itself. Once it returns `true` it is not asked again,
   /// the mesh is left as it is, valid, and the report says
   /// `CGAL::Hermite_diffuse_remeshing::STOPPED_BY_VISITOR`.
   bool is_stop_requested();

@@ -82,7 +82,9 @@ void mark_seams(const TriangleMesh& tmesh, const CornerMap& values, EdgeIsConstr
  * channels and rounded, or a `std::array` of such types. At a vertex that has stayed at its place the value is the
  * input's, to the last bit. Labels are of any type, and are copied from one element.
  *
- * Elements without a rank below the number of faces of the input in their map, as isolated vertices, are left alone.
+ * Elements without a rank below the number of faces of the input in their map are left alone. Isolated vertices get no
+ * location from the remeshing: where there are some, a map that holds the largest `std::size_t` before the call leaves
+ * them alone.
  *
  * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * @tparam VertexLocationMap a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type

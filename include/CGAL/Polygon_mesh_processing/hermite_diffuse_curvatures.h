@@ -118,7 +118,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNBegin{sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map,
  *     edge_policy_map, vertex_is_constrained_map, face_patch_map, hermite_weight, surface_model}
  *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, but maps are only read, and
- *       `PAPER_MODEL` changes no more than the defaults of `normal_estimation` and `hermite_weight`}
+ *       `PAPER_MODEL` changes no more than the defaults of `normal_estimation` and `hermite_weight`; `polynomial_degree`
+ *       and `maximum_displacement` are checked and have no effect}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of the vertices}
@@ -133,7 +134,7 @@ namespace Polygon_mesh_processing {
  * \cgalNamedParamsEnd
  *
  * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
- *        that is not finite, or if a parameter is out of its range
+ *        that is not finite, if its diameter is outside [1e-50, 1e50], or if a parameter is out of its range
  *
  * @sa `CGAL::Hermite_diffuse_surface`
  */

@@ -51,11 +51,12 @@ namespace Polygon_mesh_processing {
  *         for any number of threads. Only the calling thread changes the mesh and its property maps, and calls
  *         visitors, property maps and size fields of the user; the mesh is read by several threads at the same time.
  * @tparam FaceRange a model of `Range` with value type `boost::graph_traits<TriangleMesh>::%face_descriptor`
- * @tparam TriangleMesh a model of `MutableFaceGraph` and `FaceListGraph`
+ * @tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph`, `EdgeListGraph` and `VertexListGraph` that has
+ *         dynamic properties of vertices, edges and faces
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
- * @param faces the faces to be remeshed; the others are left exactly as they are, and so are the
- *        edges between the two. The surface is fitted to the whole mesh.
+ * @param faces the faces of `tmesh` to be remeshed; the others are left exactly as they are, and so are the
+ *        edges between the two. The surface is fitted to the whole mesh. Without any, nothing changes.
  * @param tmesh the mesh
  * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
@@ -168,9 +169,10 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{protect_constraints}
  *     \cgalParamDescription{if `true`, the edges of `edge_is_constrained_map` stay exactly as they are:
- *       neither split, collapsed nor moved. The sizes around start from their lengths: smaller ones grow from
- *       them with the gradation, larger ones fall to what was asked for with a gradation of 2. Border edges that are
- *       not marked there are sampled anew.}
+ *       neither split, collapsed nor moved. Without that map it has no effect: border edges, which \cgal's isotropic
+ *       remeshing protects then, are sampled anew unless they are marked there. The sizes around start from their
+ *       lengths: smaller ones grow from them with the gradation, larger ones fall to what was asked for with a
+ *       gradation of 2.}
  *     \cgalParamType{`bool`}
  *     \cgalParamDefault{`false`}
  *   \cgalParamNEnd
@@ -246,7 +248,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and operations and may stop the remeshing}
- *     \cgalParamType{a model of `HermiteDiffuseRemeshingVisitor`, by value or by `std::ref`}
+ *     \cgalParamType{a model of `HermiteDiffuseRemeshingVisitor`, by value or by `std::ref`; a value is copied, and
+ *       what the copy has collected goes with it}
  *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<TriangleMesh>`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_location_map}

@@ -160,7 +160,8 @@ namespace Polygon_mesh_processing {
  * touch, open and closed parts, triangles that are not coherently oriented, sheets that cannot be oriented. Apart
  * from that it does the same as `hermite_diffuse_remesh()`, but for degenerate and folded triangles, which it does not repair:
  * `CGAL::Polygon_mesh_processing::repair_polygon_soup()` removes some of them. The report's counts of these, and of isolated
- * and coincident points, stay 0. Of a map of labels, entries beyond the triangles of the result are left as they are.
+ * and coincident points, stay 0; `vertex_normal_map` and `edge_class_map` are not used. Of a map of labels, entries beyond
+ * the triangles of the result are left as they are.
  *
  * The soup is cut into sheets along its non-manifold edges. These edges, the junctions, are feature edges: they form
  * curves between corners, each with one spline and one sampling, which all its sheets share. They are split,
