@@ -9,7 +9,9 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_SIZE_SOURCES_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_SIZING_SIZE_SOURCES_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/closest_barycentric.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/size_from_curvature.h>
 
 #include <algorithm>
