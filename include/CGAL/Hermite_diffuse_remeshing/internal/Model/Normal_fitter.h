@@ -205,7 +205,7 @@ double Normal_fitter::add_fit(const Node_frame& frame, const double share, Fitte
   if(!spread.is_regular())
     return share;
   Local_polynomial<Degree> polynomial = polynomial_of_positions<Degree>(frame, spread);
-  // Where the positions lie on few lines, such as the rows of a structured mesh, slopes are not determined; from the one
+  // Where the positions lie on few lines, such as the rows of a structured mesh, terms are not determined; from the one
   // side of a border they have variances of 1e3 to 1e5. The confidence changes with the order of magnitude. Rounding must
   // not decide: large variances do not come out well enough of the normal equations.
   double variance = polynomial.solve_through_origin();
