@@ -688,9 +688,8 @@ double deepest_slit(const Input_model& model)
 
 // Three tangent lines meet at a corner, and the facets between them are of all shapes: the surface stays near the box,
 // nothing bulges over its flat sides, nor is there a slit along their diagonals, and it turns with the box.
-void test_rounded_box(const double radius, const int number_of_segments)
+void test_rounded_box(const analytic::Point& half_sides, const double radius, const int number_of_segments)
 {
-  const analytic::Point half_sides = {{1.5, 1., 0.5}};
   analytic::Random random(1);
   Indexed_triangles t = indexed(analytic::rounded_box(half_sides, radius, number_of_segments, random));
   const auto model = make_model(t);
@@ -897,9 +896,12 @@ int main()
   test_tangent_lines(1., 40., 1., 32, 8);
   test_tangent_lines(1., 40., 1., 24, 6);
   test_tangent_lines(1., 3., 1., 48, 12);
-  test_rounded_box(0.2, 8);
-  test_rounded_box(0.2, 16);
-  test_rounded_box(0.02, 8);
+  test_rounded_box({{1.5, 1., 0.5}}, 0.2, 8);
+  test_rounded_box({{1.5, 1., 0.5}}, 0.2, 16);
+  test_rounded_box({{1.5, 1., 0.5}}, 0.02, 8);
+  test_rounded_box({{5., 4., 2.5}}, 0.5, 5);
+  test_rounded_box({{5., 4., 2.5}}, 0.5, 6);
+  test_rounded_box({{5., 4., 2.5}}, 0.1, 8);
   test_feature_displacements();
   test_crossings_of_ridges();
   test_normal_beside_folded_face();

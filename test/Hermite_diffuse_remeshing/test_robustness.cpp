@@ -394,6 +394,24 @@ void test_fillets_beside_large_facets()
   check_result(input, mesh);
 }
 
+// Two shallow caps on a common rim, with sizes beyond their height: of each of them two triangles would be enough for the
+// sizes, but those of both would lie on each other.
+void test_coarse_lens()
+{
+  std::cout << "coarse lens" << std::endl;
+  std::vector<std::array<double, 2> > profile;
+  for(int i = -8; i <= 8; ++i)
+  {
+    const double r = 1. - std::abs(i) / 8.;
+    profile.push_back({{r, (i < 0 ? -0.1 : 0.1) * (1. - r * r)}});
+  }
+  analytic::Random random(1);
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::surface_of_revolution(48, profile, random));
+  Surface_mesh mesh = input;
+  PMP::hermite_diffuse_remesh(mesh, params::approximation_error(1.).maximum_edge_length(2.));
+  check_result(input, mesh);
+}
+
 // Small sizes beside long edges that must stay: the faces there stay long too, and nothing cascades.
 void test_protected_long_edges()
 {
@@ -472,6 +490,7 @@ int main()
   test_row_of_needles();
   test_needles_across_curvature();
   test_fillets_beside_large_facets();
+  test_coarse_lens();
   test_protected_long_edges();
   test_attributes();
   std::cout << "done" << std::endl;

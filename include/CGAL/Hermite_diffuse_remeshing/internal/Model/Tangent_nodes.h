@@ -101,6 +101,8 @@ public:
   }
 
   const Vector& normal(const int node) const { return m_normals[node]; }
+  // does it differ from the estimate?
+  bool has_turned(const int node) const { return (m_normals[node] - m_nodes[node].normal).norm() > least_turn; }
   const std::vector<int>& nodes() const { return m_tangent; }
   // those that belong to large facets and to small ones
   const Neighbors_on_lines& neighbors_on_lines() const { return m_on_lines; }
@@ -112,8 +114,7 @@ private:
   // Fits look far, and err on both sides of a line; Max's normals are good where facets are regular.
   const Vector& neighbor_normal(const int node) const
   {
-    const bool has_turned = (m_normals[node] - m_nodes[node].normal).norm() > least_turn;
-    return (has_turned ? m_normals : m_max_normals)[node];
+    return (has_turned(node) ? m_normals : m_max_normals)[node];
   }
 
   // Jacobi's sweeps: the nodes at both ends of a facet wait for each other
@@ -257,11 +258,13 @@ private:
   }
 
   // At the other end of a large facet: on a line its estimate or Max's normal may be right where the other one errs, on
-  // a smooth surface both turn with it. So the one counts that is closer along the direction.
+  // a smooth surface both turn with it. So the one counts that is closer along the direction, unless the node leans on
+  // its large facets already.
   const Vector& normal_at_end(const int j, const Vector& normal, const Vector& direction) const
   {
     const double now = std::abs(direction.dot(m_normals[j] - normal));
-    return now <= std::abs(direction.dot(m_max_normals[j] - normal)) + least_turn ? m_normals[j] : m_max_normals[j];
+    return has_turned(j) || now <= std::abs(direction.dot(m_max_normals[j] - normal)) + least_turn ? m_normals[j]
+                                                                                                   : m_max_normals[j];
   }
 
   // and those at their other ends
@@ -353,12 +356,16 @@ private:
 
   // Do the large facets agree along a direction in which the small ones turn away, along arcs that begin here? Then
   // `settled` is the normal that is theirs along it, unless what is missing is what irregular facets of a cylinder turn.
+  // In the other direction, that of a cylinder's arcs, the fit has looked beyond the line: where that turns it from the
+  // Max normal, this is better.
   bool is_tangent(const Large_facets& facets, Vector& settled) const
   {
     // of what the small facets turn in the other direction, and of the rise over their edges
     constexpr double least_turn_of_small = 0.4, least_bulge = 0.3;
+    // in radians: Max normals of irregular facets of a cylinder are turned by as much
+    constexpr double trusted_turn = 0.02, distrusted_turn = 0.05;
     const Vector& normal = m_normals[facets.node];
-    bool result = false;
+    std::array<bool, 2> is_along = {{false, false}};
     for(int k = 0; k < 2; ++k)
     {
       const Vector& direction = facets.directions[k];
@@ -366,7 +373,7 @@ private:
       if(!(turn > least_turn)
          || !((std::max)(spread(facets, normal, direction), spread_at_ends(facets, normal, direction)) < agreeing * turn))
         continue;
-      result = true;
+      is_along[k] = true;
       const Vector missing = (facets.normal - normal).dot(direction) * direction;
       double bulge = 0.;
       for(const int j : facets.neighbors)
@@ -375,8 +382,14 @@ private:
          && bulge > least_bulge * rises(facets.node).usual)
         settled += missing;
     }
+    if(is_along[0] != is_along[1])
+    {
+      const Vector& direction = facets.directions[is_along[0] ? 1 : 0];
+      const double turn = direction.dot(m_max_normals[facets.node] - settled);
+      settled += ramp(std::abs(turn), trusted_turn, distrusted_turn) * turn * direction;
+    }
     settled.normalize();
-    return result;
+    return is_along[0] || is_along[1];
   }
 };
 

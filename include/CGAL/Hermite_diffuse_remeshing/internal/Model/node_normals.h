@@ -121,8 +121,9 @@ inline Neighbors_on_lines mend_normals_at_tangent_lines(const Indexed_triangles&
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
     if(nodes[i].has_normal() && !is_given[i])
     {
+      const bool leans = tangent_nodes.has_turned(i);
       nodes[i].normal = tangent_nodes.normal(i);
-      if(!is_near[i] || nodes[i].is_tangent)
+      if(!is_near[i] || nodes[i].is_tangent || leans)
         continue;
       const Fitted_normal fitted = fitter(i);
       signal_over_noise[i] = fitted.signal_over_noise;

@@ -93,13 +93,26 @@ inline bool do_meet_beside_corner(const std::array<Vector, 3>& s, const int k, c
   return hits(s, k, t[next(l)], t[previous(l)]) || hits(t, l, s[next(k)], s[previous(k)]);
 }
 
+// triangles with a common side from a to b, and their third corners: only if one is folded onto the other
+inline bool do_meet_beside_side(const Vector& a, const Vector& b, const Vector& c, const Vector& d)
+{
+  const Vector side = b - a, n = side.cross(c - a), m = side.cross(d - a);
+  // far above rounding, relative to the lengths: clearly to the two sides of the common one, or out of a plane
+  constexpr double clearly = 1e-9;
+  if(n.dot(m) < 0. || std::abs(n.dot(d - a)) > clearly * n.norm() * (d - a).norm())
+    return false;
+  return CGAL::coplanar(exact(a), exact(b), exact(c), exact(d))
+      && !CGAL::collinear(exact(a), exact(b), exact(c)) && !CGAL::collinear(exact(a), exact(b), exact(d))
+      && CGAL::coplanar_orientation(exact(a), exact(b), exact(c), exact(d)) == CGAL::POSITIVE;
+}
+
 } // namespace meeting
 
-// Whether two triangles have more in common than the vertices they share. Two with a common side only meet
-// when one is folded onto the other, which their normals tell better.
+// Whether two triangles have more in common than the vertices they share, or the side.
 inline bool do_triangles_meet(const Numbered_triangle& s, const Numbered_triangle& t)
 {
-  int number_of_common = 0, k = 0, l = 0;
+  // k, l: the last common corner; the sums leave the numbers of those that are not common
+  int number_of_common = 0, k = 0, l = 0, rest_of_s = 3, rest_of_t = 3;
   for(int i = 0; i < 3; ++i)
     for(int j = 0; j < 3; ++j)
       if(s.vertices[i] == t.vertices[j])
@@ -107,9 +120,14 @@ inline bool do_triangles_meet(const Numbered_triangle& s, const Numbered_triangl
         ++number_of_common;
         k = i;
         l = j;
+        rest_of_s -= i;
+        rest_of_t -= j;
       }
-  if(number_of_common > 1)
-    return false;
+  if(number_of_common == 3)
+    return true;
+  if(number_of_common == 2)
+    return meeting::do_meet_beside_side(s.points[next(rest_of_s)], s.points[previous(rest_of_s)], s.points[rest_of_s],
+                                        t.points[rest_of_t]);
   if(number_of_common == 1)
     return meeting::do_meet_beside_corner(s.points, k, t.points, l);
   return Bounding_box(s.points).meets(Bounding_box(t.points))
