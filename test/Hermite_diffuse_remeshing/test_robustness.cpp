@@ -394,6 +394,47 @@ void test_fillets_beside_large_facets()
   check_result(input, mesh);
 }
 
+// A plate with a hole, whose flat faces touch the hole nearly tangentially: many are lower than the arcs that their sides are
+// chords of.
+void test_needles_beside_hole()
+{
+  std::cout << "needles beside a hole" << std::endl;
+  constexpr std::size_t n = 24, shift = 4;
+  analytic::Triangles plate;
+  for(const std::array<double, 2>& ring : std::vector<std::array<double, 2> >({{{1., 0.}}, {{2.62, 0.}}, {{2.62, 0.5}}, {{1., 0.5}}}))
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double angle = 2. * CGAL_PI * double(i) / double(n);
+      plate.points.push_back({{ring[0] * std::cos(angle), ring[0] * std::sin(angle), ring[1]}});
+    }
+  for(std::size_t ring = 0; ring < 4; ++ring)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      // the corners of the flat faces are `shift` columns apart, those of the walls none
+      const std::size_t turn = ring % 2 == 1 ? 0 : ring == 0 ? shift : n - shift;
+      const std::size_t next_ring = (ring + 1) % 4 * n;
+      const std::size_t a = ring * n + i, b = ring * n + (i + 1) % n, c = next_ring + (i + turn) % n,
+                        d = next_ring + (i + 1 + turn) % n;
+      // the hole's side is with the corner that is farther
+      if(ring == 0)
+      {
+        plate.faces.push_back({{a, d, b}});
+        plate.faces.push_back({{a, c, d}});
+      }
+      else
+      {
+        plate.faces.push_back({{a, c, b}});
+        plate.faces.push_back({{b, c, d}});
+      }
+    }
+  const Surface_mesh input = make_mesh<Surface_mesh>(plate);
+  Surface_mesh mesh = input;
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_deviation(0.002));  // the arcs are 0.009 high
+  assert(report.stop_reason == HDR::CONVERGED && report.is_maximum_deviation_met);
+  assert(report.smallest_quality > 0.5);
+  check_result(input, mesh);
+}
+
 // Two shallow caps on a common rim, with sizes beyond their height: of each of them two triangles would be enough for the
 // sizes, but those of both would lie on each other.
 void test_coarse_lens()
@@ -490,6 +531,7 @@ int main()
   test_row_of_needles();
   test_needles_across_curvature();
   test_fillets_beside_large_facets();
+  test_needles_beside_hole();
   test_coarse_lens();
   test_protected_long_edges();
   test_attributes();

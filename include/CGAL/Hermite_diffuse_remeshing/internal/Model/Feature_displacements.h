@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_FEATURE_DISPLACEMENTS_H
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Displacement_support.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
@@ -28,6 +29,9 @@ namespace internal {
 // fit onto the spline, and it fades with the distance from the side. It is zero on the other
 // sides, where the foot on the feature is one of its vertices, so the surface stays continuous.
 //
+// Beside a hole in a plane the faces are often needles, lower than the arcs that their sides are chords of: displaced, such
+// a face would lie over those behind it. There the displacement fades in a triangle over several faces of the plane.
+//
 // A gap is smooth along its side. It is sampled once, and interpolated by a cubic spline: asked at every query, it
 // would cost another fit.
 class Feature_displacements
@@ -39,14 +43,28 @@ class Feature_displacements
 
   static constexpr int none = -1;
   static constexpr std::size_t number_in_block = 4096;          // of sides that are sampled before most are left out
+  struct Entry
+  {
+    std::array<int, 3> gaps_of_sides = {{none, none, none}};
+    std::vector<int> supports;
+  };
+
+  struct Support
+  {
+    Displacement_support triangle;
+    int gaps;
+  };
+
+  const Indexed_triangles& m_triangles;
   std::vector<int> m_entry_of_face;                   // most faces have no feature side
-  std::vector<std::array<int, 3> > m_gaps_of_sides;   // by the entry
+  std::vector<Entry> m_entries;
+  std::vector<Support> m_supports;
   std::vector<Gaps> m_gaps;
 
 public:
   Feature_displacements(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
                         const Progress& progress)
-    : m_entry_of_face(surface.triangles().number_of_faces(), none)
+    : m_triangles(surface.triangles()), m_entry_of_face(surface.triangles().number_of_faces(), none)
   {
     std::vector<Face_side> sides;
     for(const Feature_curve& curve : curves.curves)
@@ -64,39 +82,63 @@ public:
       }, progress.part(double(first) / double(sides.size()), double(first + number) / double(sides.size())));
       for(std::size_t i = 0; i < number; ++i)
         if(!std::all_of(block[i].begin(), block[i].end(), [](const Vector& gap) { return gap == Vector::Zero(); }))
-          add(sides[first + i], block[i]);
+          add(surface, edges, curves, sides[first + i], block[i]);
     }
   }
 
   Vector operator()(const Location& location) const
   {
     Vector result = Vector::Zero();
-    const int entry = m_entry_of_face[location.face];
-    if(entry == none)
+    if(m_entry_of_face[location.face] == none)
       return result;
-    for(int k = 0; k < 3; ++k)
+    const auto add = [&](const int gaps, const double share, const double foot)
     {
-      const double share = 1. - location.coordinates[previous(k)];
-      if(m_gaps_of_sides[entry][k] == none || share <= 0.)
-        continue;
-      const double u = location.coordinates[next(k)] / share;
-      if(u > 0. && u < 1.)
-        result += share * share * interpolate(m_gaps[m_gaps_of_sides[entry][k]], u);
+      if(share > 0. && foot > 0. && foot < 1.)
+        result += share * share * interpolate(m_gaps[gaps], foot);
+    };
+    const Entry& entry = m_entries[m_entry_of_face[location.face]];
+    for(int k = 0; k < 3; ++k)
+      if(entry.gaps_of_sides[k] != none)
+      {
+        const double share = 1. - location.coordinates[previous(k)];
+        add(entry.gaps_of_sides[k], share, location.coordinates[next(k)] / share);
+      }
+    for(const int i : entry.supports)
+    {
+      const Displacement_support::Place place = m_supports[i].triangle.place(m_triangles.point(location));
+      add(m_supports[i].gaps, place.share, place.foot);
     }
     return result;
   }
 
 private:
-  void add(const Face_side& side, const Gaps& gaps)
+  void add(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves, const Face_side& side,
+           const Gaps& gaps)
   {
-    int& entry = m_entry_of_face[side.face];
-    if(entry == none)
-    {
-      entry = static_cast<int>(m_gaps_of_sides.size());
-      m_gaps_of_sides.push_back({{none, none, none}});
-    }
-    m_gaps_of_sides[entry][side.side] = static_cast<int>(m_gaps.size());
+    const int number = static_cast<int>(m_gaps.size());
     m_gaps.push_back(gaps);
+    Displacement_support triangle(surface, side);
+    double inwards = 0.;
+    for(const Vector& gap : gaps)
+      inwards = (std::max)(inwards, triangle.inward_part(gap));
+    const std::vector<int> faces = triangle.is_face_folded(inwards)
+                                 ? triangle.find_faces(surface.triangles(), edges, curves, side) : std::vector<int>();
+    if(faces.empty())
+      entry(side.face).gaps_of_sides[side.side] = number;
+    else
+      m_supports.push_back({triangle, number});
+    for(const int f : faces)
+      entry(f).supports.push_back(static_cast<int>(m_supports.size()) - 1);
+  }
+
+  Entry& entry(const int face)
+  {
+    if(m_entry_of_face[face] == none)
+    {
+      m_entry_of_face[face] = static_cast<int>(m_entries.size());
+      m_entries.push_back(Entry());
+    }
+    return m_entries[m_entry_of_face[face]];
   }
 
   static Gaps sample(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves,
