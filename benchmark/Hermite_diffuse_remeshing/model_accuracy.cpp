@@ -298,6 +298,7 @@ void print_speed(const int number_of_faces)
     }));
   }
   const auto model = make_model(triangles);
+  model->locator.build_tree();
   std::vector<Vector> queries;
   for(const Location& location : locations)
   {

@@ -100,6 +100,7 @@ public:
     m_traits = input.traits;
     const Size_options options = read_size_options(pack, m_traits, input.triangles, input.face_descriptors);
     m_model = read_model(input, pack);
+    m_model->locator.build_tree();
     m_sizes = make_size_map(*m_model, options, input.side_marks, read_face_budget(pack, input.face_descriptors.size()),
                             [](int) { return true; });
   }

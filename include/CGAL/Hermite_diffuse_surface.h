@@ -136,6 +136,7 @@ public:
       put(m_rank, m_faces[i], static_cast<int>(i));
     m_model = read_model<ConcurrencyTag>(input, pack);
     m_model->keep_surface_only();
+    m_model->locator.build_tree();
   }
 
   /// \name Evaluation

@@ -832,6 +832,7 @@ void test_projection()
   for(const Test_surface& s : {analytic::torus(), analytic::ellipsoid()})
   {
     const auto model = make_model(indexed(s.mesh(5000, 1)));
+    model->locator.build_tree();
     const double h = mean_edge_length(model->surface.triangles());
     analytic::Random random(1);
     Root_mean_square error;
@@ -861,6 +862,7 @@ void test_projection_beyond_border()
   square.points = {Vector(0., 0., 0.), Vector(1., 0., 0.), Vector(1., 1., 0.), Vector(0., 1., 0.)};
   square.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
   const auto model = make_model(square);
+  model->locator.build_tree();
   constexpr double tolerance = 1e-3, part_of_distance = 0.01;
   const auto is_foot = [&](const Vector& p)
   {

@@ -62,11 +62,10 @@ struct Input_surface
     surface.save_memory();
   }
 
-protected:
-  // rough parts of the time that the steps take
-  static constexpr double before_cut = 0.1, before_curves = 0.15, before_fit = 0.2, before_search_tree = 0.8;
-
 private:
+  // rough parts of the time that the steps take
+  static constexpr double before_cut = 0.1, before_curves = 0.15, before_fit = 0.2;
+
   Reference_surface make_surface(const Indexed_triangles& triangles, const Feature_options& features,
                                  const Model_options& options, const Read_vertex_constraint& is_vertex_constrained,
                                  const std::vector<Vector>& vertex_normals, const Progress& progress)
@@ -81,7 +80,7 @@ private:
     progress(before_fit);
     const Known_normals known_normals = {vertex_normals, find_end_tangents(edges, cut_mesh, curves)};
     return Reference_surface(triangles, std::move(cut_mesh), vertex_classes, options, known_normals,
-                             progress.part(before_fit, before_search_tree));
+                             progress.part(before_fit, 1.));
   }
 };
 
@@ -94,7 +93,7 @@ struct Input_model : Input_surface
               const Read_edge_mark& edge_mark, const Read_vertex_constraint& is_vertex_constrained,
               const std::vector<Vector>& vertex_normals = std::vector<Vector>(), const Progress& progress = Progress())
     : Input_surface(triangles, features, options, edge_mark, is_vertex_constrained, vertex_normals, progress)
-    , locator(surface, progress.part(before_search_tree, 1.))
+    , locator(surface)
   {}
 
   Input_model(const Input_model&) = delete;             // the locator refers to the surface

@@ -11,10 +11,14 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Triangle_tree.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
+#include <memory>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -25,17 +29,22 @@ namespace internal {
 class Reference_locator
 {
   const Reference_surface& m_surface;
-  Triangle_tree m_tree;
+  std::unique_ptr<Triangle_tree> m_tree;          // null: all queries have hints, as those of a remeshing
 
 public:
-  explicit Reference_locator(const Reference_surface& surface, const Progress& progress = Progress())
-    : m_surface(surface), m_tree(surface.triangles(), progress)
-  {}
+  explicit Reference_locator(const Reference_surface& surface) : m_surface(surface) {}
 
-  // closest point of all facets
+  // for queries without hints
+  void build_tree(const Progress& progress = Progress())
+  {
+    m_tree = std::make_unique<Triangle_tree>(m_surface.triangles(), progress);
+  }
+
+  // closest point of all facets; asks the tree
   Location closest(const Vector& p) const
   {
-    return location_on_face(m_tree.closest(p).first, p);
+    CGAL_precondition(m_tree != nullptr);
+    return location_on_face(m_tree->closest(p).first, p);
   }
 
   // Descends from face to face to a facet point that no neighbouring face improves. The result is
