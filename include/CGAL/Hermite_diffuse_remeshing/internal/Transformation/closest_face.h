@@ -12,8 +12,11 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Triangle_tree.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
 
+#include <CGAL/number_utils.h>
+
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -97,32 +100,61 @@ bool is_on_protected_edge(const Working_mesh<UserMesh>& mesh,
   return false;
 }
 
-// Finds the closest of some faces of the mesh.
+// Finds the closest of some faces of the mesh, which do not change meanwhile.
 template <typename UserMesh>
 class Face_search
 {
   typedef Working_mesh<UserMesh> Mesh;
   typedef typename Mesh::face_descriptor face_descriptor;
+  typedef Closest_on_mesh<face_descriptor> Closest;
 
   const Mesh& m_mesh;
   std::vector<face_descriptor> m_faces;
+  Progress m_progress;
+  int m_number_of_queries = 0;
   Indexed_triangles m_triangles;
-  Triangle_tree m_tree;
+  std::unique_ptr<Triangle_tree> m_tree;
+
+  // As long as there are no more queries than this each looks at all faces: to build the tree takes as long as fifteen.
+  static constexpr int largest_number_without_tree = 8;
 
 public:
   Face_search(const Mesh& mesh, std::vector<face_descriptor> faces, const Progress& progress)
-    : m_mesh(mesh), m_faces(std::move(faces)), m_triangles(copy_triangles()), m_tree(m_triangles, progress)
+    : m_mesh(mesh), m_faces(std::move(faces)), m_progress(progress)
   {}
 
   Face_search(const Face_search&) = delete;             // the tree refers to the triangles
   Face_search& operator=(const Face_search&) = delete;
 
-  Closest_on_mesh<face_descriptor> closest(const Vector& p) const
+  Closest closest(const Vector& p)
   {
-    return closest_on_face(m_mesh, m_faces[m_tree.closest(p).first], p);
+    if(m_number_of_queries++ < largest_number_without_tree)
+      return closest_of_all(p);
+    if(m_tree == nullptr)
+    {
+      m_triangles = copy_triangles();
+      m_tree = std::make_unique<Triangle_tree>(m_triangles, m_progress);
+    }
+    return closest_on_face(m_mesh, m_faces[m_tree->closest(p).first], p);
   }
 
 private:
+  Closest closest_of_all(const Vector& p) const
+  {
+    Closest best = closest_on_face(m_mesh, m_faces.front(), p);
+    for(std::size_t i = 1; i < m_faces.size(); ++i)
+    {
+      if(m_mesh.is_stopped_at(i))
+        throw Interrupted();
+      if(CGAL::square(Bounding_box(m_mesh.triangle(m_faces[i]).points).distance(p)) >= best.distance2)
+        continue;
+      const Closest candidate = closest_on_face(m_mesh, m_faces[i], p);
+      if(candidate.distance2 < best.distance2)
+        best = candidate;
+    }
+    return best;
+  }
+
   Indexed_triangles copy_triangles() const
   {
     Indexed_triangles result;
