@@ -61,6 +61,33 @@ inline double bound_from_segment(const Vector& a, const Vector& b, const double 
   return bound >= (1. + margin) * (std::max)(s, t) ? (std::min)(bound, at_ends) : at_ends;
 }
 
+// Of the indices: is it in a triangle in which the slope may be too large? Nowhere in a triangle a size is lowered to less
+// than the smallest one and what the slope makes of the smallest height.
+template <typename PointOfIndex>
+std::vector<char> find_steep(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
+                             const double slope, const std::vector<double>& sizes)
+{
+  // far above the rounding of the heights
+  constexpr double margin = 1e-6;
+  std::vector<char> result(sizes.size(), false);
+  for(const std::array<int, 3>& triangle : triangles)
+  {
+    const std::array<double, 3> s = {{sizes[triangle[0]], sizes[triangle[1]], sizes[triangle[2]]}};
+    const double difference = *std::max_element(s.begin(), s.end()) - *std::min_element(s.begin(), s.end());
+    if(!(difference > 0.))
+      continue;
+    const Vector& a = point(triangle[0]);
+    const Vector& b = point(triangle[1]);
+    const Vector& c = point(triangle[2]);
+    const double longest2 = (std::max)({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    const double double_area = (b - a).cross(c - a).norm();
+    if(difference * std::sqrt(longest2) > (1. - margin) * slope * double_area)
+      for(const int i : triangle)
+        result[i] = true;
+  }
+  return result;
+}
+
 // Lowers the sizes until they rise by no more than `slope` per length along the triangles. Fast
 // marching from the smallest size up: a size is final when it leaves the queue, and is passed on
 // along the sides and across the triangles.
@@ -73,6 +100,10 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
 {
   // in slivers rounding would lower a size again and again by its last digit
   constexpr double least_gain = 1e-9;
+  progress(0.);
+  const std::vector<char> is_steep = find_steep(triangles, point, slope, sizes);
+  if(std::find(is_steep.begin(), is_steep.end(), true) == is_steep.end())
+    return;
   progress(0.);
   std::vector<int> first(sizes.size() + 1, 0);
   for(const std::array<int, 3>& triangle : triangles)
@@ -89,7 +120,7 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
   typedef std::pair<double, int> Entry;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
   for(const int i : seeds)
-    if(first[i+1] > first[i])
+    if(is_steep[i])
       queue.push(Entry(sizes[i], i));
   while(!queue.empty())
   {
