@@ -74,11 +74,7 @@ public:
     : m_sources(surface, edges, options), m_progress(progress), m_cells(surface.triangles())
     , m_curve_sizes(surface, edges, curves, m_sources)
   {
-    m_area_ratios.resize(surface.triangles().number_of_faces());
-    for_each_index(surface.triangles().number_of_faces(), is_parallel(), [&]
-    {
-      return [&](const int f) { m_area_ratios[f] = m_sources.area_ratio(f); };
-    }, progress);
+    m_area_ratios = m_sources.area_ratios(progress);
     sample_vertices(surface, curves);
     m_curve_sizes.visit_strips(edges, curves, m_samples, is_parallel(), progress.part(0., 0.),
                                [&](const int sample, const double size) { lower(sample, size); });

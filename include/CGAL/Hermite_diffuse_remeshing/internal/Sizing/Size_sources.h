@@ -11,15 +11,20 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Side_middles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/closest_barycentric.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/size_from_curvature.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -181,29 +186,41 @@ public:
     return std::accumulate(curvatures.begin(), curvatures.end(), 0.) / curvatures.size();
   }
 
-  // Area of the smooth surface over a face divided by that of the face: the four triangles to the middles
-  // of the sides, and L. F. Richardson's extrapolation from one triangle and four.
-  double area_ratio(const int face) const
+  // areas of the smooth surface over the faces divided by those of the faces
+  std::vector<double> area_ratios(const Progress& progress) const
   {
-    const Indexed_triangles& t = triangles();
-    const double flat = t.area_vector(face).norm();
+    const auto point_at = [this](const Location& location) { return m_surface.evaluate(location).point(); };
+    const auto is_bent = [this](const int f) { return this->is_bent(f); };
+    const Side_middles middles(m_surface, m_edges, is_bent, point_at, progress);
+    std::vector<double> result(triangles().number_of_faces(), 1.);
+    for_each_index(triangles().number_of_faces(), is_parallel(), [&]
+    {
+      return [&](const int f)
+      {
+        if(is_bent(f))
+          result[f] = area_ratio(f, {{middles(f, 0), middles(f, 1), middles(f, 2)}});
+      };
+    }, progress);
+    return result;
+  }
+
+private:
+  bool is_bent(const int face) const
+  {
     // Between normals that differ by less than this angle, in radians, the areas differ by less than its
     // square over eight, half a percent.
     constexpr double nearly_flat = 0.2037;
     double bend2 = 0.;
     for(int k = 0; k < 3; ++k)
       bend2 = (std::max)(bend2, (m_surface.node(face, k).normal - m_surface.node(face, next(k)).normal).squaredNorm());
-    if(!(flat > 0.) || bend2 < nearly_flat * nearly_flat)
-      return 1.;
-    Vector middle[3];
-    for(int k = 0; k < 3; ++k)
-    {
-      Location location;
-      location.face = face;
-      location.coordinates.fill(0.5);
-      location.coordinates[previous(k)] = 0.;
-      middle[k] = m_surface.evaluate(location).point();
-    }
+    return bend2 >= nearly_flat * nearly_flat && triangles().area_vector(face).norm() > 0.;
+  }
+
+  // The four triangles to the middles of the sides, and L. F. Richardson's extrapolation from one triangle and four.
+  double area_ratio(const int face, const std::array<Vector, 3>& middle) const
+  {
+    const Indexed_triangles& t = triangles();
+    const double flat = t.area_vector(face).norm();
     double area = (middle[1] - middle[0]).cross(middle[2] - middle[0]).norm();
     for(int k = 0; k < 3; ++k)
       area += (middle[k] - t.point(face, k)).cross(middle[previous(k)] - t.point(face, k)).norm();
@@ -212,7 +229,6 @@ public:
     return (std::max)(1., (std::min)(largest_ratio, (4. * area / flat - 1.) / 3.));
   }
 
-private:
   bool is_error_used() const { return m_options.length_over_radius < std::numeric_limits<double>::infinity(); }
 
   // seen from the center of curvature, of an edge as long as the relative error asks for

@@ -9,6 +9,7 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_TARGETS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_TARGETS_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Side_middles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Reference.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -116,13 +116,6 @@ private:
       m_model_distance = (std::max)(m_model_distance, d);
   }
 
-  static Location middle_of_side(const int f, const int side)
-  {
-    Location result = location(f, 0.5, 0.5);
-    std::swap(result.coordinates[0], result.coordinates[previous(side)]);
-    return result;
-  }
-
   template <typename IsRemeshed>
   void find_parts(const IsRemeshed& is_remeshed, const Progress& progress)
   {
@@ -145,7 +138,7 @@ private:
     {
       // Nothing but the largest height of a smooth model is asked for. What is expected there is nearly two thirds of it at
       // least, on all meshes that were looked at.
-      constexpr double part_of_largest = 0.25;
+      constexpr double part_of_largest = 0.4;
       const double least = part_of_largest * *std::max_element(expected.begin(), expected.end());
       measure_between(least, infinity);
       if(part_of_largest * m_model_distance < least)
@@ -204,21 +197,8 @@ private:
   template <typename IsAskedFor>
   void measure_heights(const IsAskedFor& is_asked_for, const Progress& progress, std::vector<double>& heights) const
   {
-    const Cut_mesh& cut_mesh = m_reference.surface.cut_mesh();
-    // of the model, by the edge: the same for both faces of an edge that is no feature
-    std::vector<Vector> middles(m_reference.edges.number_of_edges());
-    for_each_index(triangles().number_of_faces(), is_parallel(), [&]
-    {
-      return [&](const int f)
-      {
-        for(int k = 0; k < 3 && is_asked_for(f); ++k)
-        {
-          const int g = cut_mesh.neighbor(f, k);
-          if(g != -1 && (f < g || !is_asked_for(g)))
-            middles[m_reference.edges.edge(f, k)] = m_reference.surface_point(middle_of_side(f, k));
-        }
-      };
-    }, progress);
+    const auto point_at = [this](const Location& location) { return m_reference.surface_point(location); };
+    const Side_middles middles(m_reference.surface, m_reference.edges, is_asked_for, point_at, progress);
     for_each_index(triangles().number_of_faces(), is_parallel(), [&]
     {
       return [&](const int f)
@@ -245,17 +225,13 @@ private:
   }
 
   // at the middles of the sides and at the centroid
-  double height_of_model(const int f, const std::vector<Vector>& middles) const
+  template <typename Middles>
+  double height_of_model(const int f, const Middles& middles) const
   {
     const Location center = location(f, 1. / 3., 1. / 3.);
     double height = distance_to_facet(center, m_reference.surface_point(center));
     for(int k = 0; k < 3; ++k)
-    {
-      const Location at = middle_of_side(f, k);
-      const bool is_shared = m_reference.surface.cut_mesh().neighbor(f, k) != -1;
-      height = (std::max)(height, distance_to_facet(at, is_shared ? middles[m_reference.edges.edge(f, k)]
-                                                                  : m_reference.surface_point(at)));
-    }
+      height = (std::max)(height, distance_to_facet(Middles::location(f, k), middles(f, k)));
     return height;
   }
 
