@@ -20,6 +20,7 @@
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -150,6 +151,8 @@ struct Collapse
 // Of equal needles side by side each collapse makes some that are a little worse, before it makes good triangles in the
 // end: the first one of an even row makes one that is half as wide again.
 constexpr double least_part_of_needle = 0.65;
+// relative to the size
+constexpr double length_of_needle = 0.25;
 
 // The first legal choice from `first_choice` on for the edge of h, at the best place that is legal, if possible of the
 // source of h. The worst score may fall to `least_part` of itself.
@@ -203,9 +206,10 @@ Collapse<UserMesh> find_collapse(const Working_mesh<UserMesh>& mesh,
 
 // Collapses the edges that are shorter than `bound` times their size where no edge becomes longer than
 // `longest_length` times its size, what a collapse makes is not split again: the shortest first. Only edges with changes
-// around them are looked at. `least_part`: see `find_collapse()`.
+// around them are looked at. `least_part`: see `find_collapse()`. Returns how many edges are
+// about as short as needles, relative to the size.
 template <typename UserMesh>
-void collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
+std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
                           const std::size_t since, const double least_part)
 {
   typedef Working_mesh<UserMesh> Mesh;
@@ -218,8 +222,12 @@ void collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, cons
   // ends as descriptors and numbers: a collapse of a neighbour may have removed the edge
   struct Candidate { vertex_descriptor source, target; std::pair<int, int> key; };
   std::vector<Candidate> queue;
+  std::size_t number_of_needles = 0;
   for(const auto& e : collect_edges(mesh, since, SHORTEST_FIRST, is_candidate))
+  {
     queue.push_back({source(e.halfedge, mesh.tmesh()), target(e.halfedge, mesh.tmesh()), e.key});
+    number_of_needles += e.level >= SHORTEST_FIRST * urgency_level(length_of_needle);
+  }
 
   std::vector<char> is_removed(mesh.number_of_vertex_slots(), false);
   // null if the edge is no candidate any more
@@ -257,6 +265,7 @@ void collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, cons
         return;
       }
   });
+  return number_of_needles;
 }
 
 // Same, and where nearly all of the shortest edges have to stay for the needles around them, these are given up.
@@ -264,22 +273,14 @@ template <typename UserMesh>
 std::size_t collapse_short_edges(Working_mesh<UserMesh>& mesh, const double bound, const double longest_length,
                                  const std::size_t since)
 {
-  // relative to the size
-  constexpr double of_needle = 0.25;
   // of the edges of needles, and these of the faces: less than that is nothing
   constexpr double negligible_part = 0.1, negligible_part_of_faces = 0.02;
   const std::size_t before = mesh.counts().collapses;
-  collapse_short_edges(mesh, bound, longest_length, since, 1.);
-  const double number = double(mesh.counts().collapses - before);
-  double number_of_needles = 0.;
-  visit_changed_edges(mesh, since, [&](const auto h)
-  {
-    if(mesh.relative_length(h) < of_needle && !mesh.is_protected(h) && mesh.is_inside(edge(h, mesh.tmesh())))
-      ++number_of_needles;
-  });
-  if(number < negligible_part * number_of_needles
+  const double number_of_needles = double(collapse_short_edges(mesh, bound, longest_length, since, 1.));
+  // where nearly all have stayed, there are as many now
+  if(double(mesh.counts().collapses - before) < negligible_part * number_of_needles
      && number_of_needles > negligible_part_of_faces * double(mesh.number_of_faces()))
-    collapse_short_edges(mesh, of_needle, longest_length, since, least_part_of_needle);
+    collapse_short_edges(mesh, length_of_needle, longest_length, since, least_part_of_needle);
   return mesh.counts().collapses - before;
 }
 

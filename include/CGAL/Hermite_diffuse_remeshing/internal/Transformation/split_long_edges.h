@@ -16,7 +16,10 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/edge_topology.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -38,10 +41,10 @@ Site middle_site(const Working_mesh<UserMesh>& mesh,
 
 // The halfedges in front of which a split of h halves a remeshed face, all copies included.
 template <typename UserMesh>
-std::vector<typename Working_mesh<UserMesh>::halfedge_descriptor>
+boost::container::small_vector<typename Working_mesh<UserMesh>::halfedge_descriptor, 2>
 sides_of_split(const Working_mesh<UserMesh>& mesh, const typename Working_mesh<UserMesh>::halfedge_descriptor h)
 {
-  std::vector<typename Working_mesh<UserMesh>::halfedge_descriptor> result;
+  boost::container::small_vector<typename Working_mesh<UserMesh>::halfedge_descriptor, 2> result;
   for(const auto sibling : mesh.siblings(h))
     for(const auto side : {sibling, opposite(sibling, mesh.tmesh())})
       if(!mesh.is_border_or_outside(side))
@@ -172,23 +175,27 @@ template <typename UserMesh>
 std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, const std::size_t since,
                              const double slack = 1.)
 {
+  std::size_t number_of_tries = 0;
+  const auto note_try = [&](auto) { ++number_of_tries; return true; };
   const auto split_by = [&](const Split_rule rule)
   {
     return split_in_rounds(mesh, since, [&](const std::size_t since_round)
-    { return split_long_edges_once(mesh, bound, since_round, LONGEST_FIRST, slack, [](auto) { return true; }, rule); });
+    { return split_long_edges_once(mesh, bound, since_round, LONGEST_FIRST, slack, note_try, rule); });
   };
   // of the edges that stay, and these of the faces: less than that is nothing
   constexpr double negligible_part = 0.1, considerable_part_of_faces = 0.1;
   const std::size_t number = split_by(GOOD_HALVES);
+  const double least_considerable = considerable_part_of_faces * double(mesh.number_of_faces());
   double number_left = 0.;
-  if(double(number) < negligible_part * double(mesh.number_of_faces()))
+  // those that stay have been tried
+  if(double(number) < negligible_part * double(mesh.number_of_faces())
+     && double(number_of_tries - number) > least_considerable)
     visit_changed_edges(mesh, since, [&](const auto h)
     {
       if(mesh.relative_length(h) > bound && !mesh.is_protected(h) && mesh.is_inside(edge(h, mesh.tmesh())))
         ++number_left;
     });
-  if(double(number) < negligible_part * number_left
-     && number_left > considerable_part_of_faces * double(mesh.number_of_faces()))
+  if(double(number) < negligible_part * number_left && number_left > least_considerable)
     return number + split_by(ANY_HALVES);
   return number;
 }
