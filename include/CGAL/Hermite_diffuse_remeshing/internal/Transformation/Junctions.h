@@ -9,9 +9,10 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_JUNCTIONS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_JUNCTIONS_H
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <unordered_map>
-#include <vector>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -24,7 +25,7 @@ template <typename VertexDescriptor>
 class Junctions
 {
 public:
-  typedef std::vector<VertexDescriptor> Copies;
+  typedef boost::container::small_vector<VertexDescriptor, 2> Copies;
 
 private:
   std::unordered_map<int, Copies> m_copies;      // never iterated: the order would depend on addresses

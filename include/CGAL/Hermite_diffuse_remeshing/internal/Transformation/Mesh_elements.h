@@ -20,6 +20,8 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/property_map.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -42,9 +44,10 @@ public:
   typedef typename Graph_traits::edge_descriptor edge_descriptor;
   typedef typename Graph_traits::face_descriptor face_descriptor;
   typedef typename Junctions<vertex_descriptor>::Copies Copies;
-  typedef std::vector<halfedge_descriptor> Siblings;
+  typedef boost::container::small_vector<halfedge_descriptor, 2> Siblings;
 
-  struct Vertex
+  // what is asked most of a site begins it, in one line of the cache
+  struct alignas(64) Vertex
   {
     Site site;
     Vertex_class type = SURFACE_VERTEX;
@@ -231,9 +234,12 @@ public:
   Siblings siblings(const halfedge_descriptor h) const
   {
     const vertex_descriptor s = source(h, tmesh()), t = target(h, tmesh());
-    if(!is_on_curve(h) || (!has_copies(s) && !has_copies(t)))
-      return Siblings(1, h);
     Siblings result;
+    if(!is_on_curve(h) || (!has_copies(s) && !has_copies(t)))
+    {
+      result.push_back(h);
+      return result;
+    }
     for(const vertex_descriptor a : copies(s))
       visit_copies(t, [&](const vertex_descriptor b)
       {

@@ -27,10 +27,10 @@ struct Site
 {
   Vector point = Vector::Zero();
   Vector normal = Vector::Zero();       // of the model; zero on curves and at corners, which have several
-  Location location;
   double size = 0.;
-  int curve = -1;                       // -1: on the surface
   double parameter = 0.;                // on the curve
+  Location location;
+  int curve = -1;                       // -1: on the surface
 
   bool has_normal() const { return normal != Vector::Zero(); }
 };

@@ -323,7 +323,7 @@ private:
 
     // Euler::collapse_edge() keeps one edge of each of the two triangles, which one depends on the direction of the edge;
     // ours are the ones at the target. Those that the user knows stay themselves.
-    std::vector<std::pair<vertex_descriptor, Edge> > kept_edges;
+    boost::container::static_vector<std::pair<vertex_descriptor, Edge>, 2> kept_edges;
     for(const halfedge_descriptor side : {h, o})
       if(!CGAL::is_border(side, tm))
       {
