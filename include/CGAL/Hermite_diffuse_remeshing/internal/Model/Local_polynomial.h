@@ -113,7 +113,11 @@ public:
     double variance = 0.;
     const double pivot = solve_and_look<1>([&](const Matrix& a, const std::array<double, size>& inverse)
     {
-      variance = total_variance([&](const int k, const int i) { return entry(a, k, i) * inverse[k]; },
+      std::array<std::array<double, size>, size> factors;
+      for(int k = 1; k < size; ++k)
+        for(int i = k + 1; i < size; ++i)
+          factors[k][i] = entry(a, k, i) * inverse[k];
+      variance = total_variance([&](const int k, const int i) { return factors[k][i]; },
                                 [&](const int i) { return inverse[i]; }, [](const int) { return 1.; });
     });
     return pivot > 0. ? variance : (std::numeric_limits<double>::infinity)();

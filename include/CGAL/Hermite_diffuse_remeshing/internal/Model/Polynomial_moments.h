@@ -226,6 +226,8 @@ private:
       add_all(weight * z, m_z);
       return;
     }
+    // on noisy meshes there are none
+    const bool is_combined = (combined_weight != 0.).any();
     const Pair weighted_z = weight * z;
     const Pair weighted_combined_z = combined_weight * (double(combined_order) * z - x * p - y * q);
     for_each_constant<0, 2 * Degree + 1>([&](const auto order)
@@ -243,7 +245,8 @@ private:
           add(m_z[i], w_z * m[i]);
       }
     });
-    add_all(combined_weight, m_combined);
+    if(is_combined || m_is_empty)
+      add_all(combined_weight, m_combined);
     add_all(slope_weight, m_slopes);
     add_all(slope_weight * p, m_p);
     add_all(slope_weight * q, m_q);

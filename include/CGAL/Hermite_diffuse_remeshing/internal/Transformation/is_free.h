@@ -94,7 +94,9 @@ bool is_relocation_free(Working_mesh<UserMesh>& mesh,
     boost::container::small_vector<Corner_points, 12> moved;
     for(const auto h : CGAL::halfedges_around_target(v, tm))
       moved.push_back({{&mesh.point(source(h, tm)), &site.point, &mesh.point(target(next(h, tm), tm))}});
-    if(mesh.is_clear(center, moved, moved))
+    // the corners of the others are among theirs, and the center
+    const decltype(moved) none;
+    if(mesh.is_clear(center, moved, none))
       return true;
   }
   const Numbered_triangles replaced = triangles_around(mesh, {v});
