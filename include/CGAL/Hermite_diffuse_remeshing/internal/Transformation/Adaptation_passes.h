@@ -43,7 +43,7 @@ protected:
   // does not come to rest: the optimisation has better places.
   static constexpr int number_of_balancing_passes_of_refined = 2;
   // of the faces: where fewer changes are made in a pass, faces are still near where they were at its beginning
-  static constexpr double considerable_part = 0.02;
+  static constexpr double considerable_part = 0.1;
   // of the faces that have changed, where only a part of the mesh is adapted again
   static constexpr double negligible_part_of_changed = 0.01;
 
