@@ -54,7 +54,8 @@ public:
   // of a face that was asked for
   Vector operator()(const int face, const int side) const
   {
-    return m_cut_mesh.neighbor(face, side) != -1 ? m_shared[m_edges.edge(face, side)] : m_point_at(location(face, side));
+    return m_cut_mesh.neighbor(face, side) != -1 ? m_shared[m_edges.edge(face, side)]
+                                                 : m_point_at(location(face, side));
   }
 
   static Location location(const int face, const int side)

@@ -46,10 +46,9 @@ public:
   typedef typename Junctions<vertex_descriptor>::Copies Copies;
   typedef boost::container::small_vector<halfedge_descriptor, 2> Siblings;
 
-  // what is asked most of a site begins it, in one line of the cache
-  struct alignas(64) Vertex
+  struct alignas(64) Vertex             // a line of the cache
   {
-    Site site;
+    Site site;                          // begins with what is asked most
     Vertex_class type = SURFACE_VERTEX;
     int reference_vertex = -1;          // of a vertex that is still at its place in the input
     bool is_frozen = false;
@@ -214,9 +213,7 @@ public:
   // parameter of a vertex on a curve that it lies on
   double parameter(const vertex_descriptor v, const int curve) const
   {
-    const Vertex& vertex = data(v);
-    return vertex.site.curve == curve ? vertex.site.parameter
-                                      : m_reference.end_parameter(curve, vertex.reference_vertex);
+    return site(v).curve == curve ? site(v).parameter : m_reference.end_parameter(curve, data(v).reference_vertex);
   }
 
   // \name Junctions
@@ -236,17 +233,15 @@ public:
     const vertex_descriptor s = source(h, tmesh()), t = target(h, tmesh());
     Siblings result;
     if(!is_on_curve(h) || (!has_copies(s) && !has_copies(t)))
-    {
       result.push_back(h);
-      return result;
-    }
-    for(const vertex_descriptor a : copies(s))
-      visit_copies(t, [&](const vertex_descriptor b)
-      {
-        const std::pair<halfedge_descriptor, bool> found = halfedge(a, b, tmesh());
-        if(found.second && curve(found.first) == curve(h))
-          result.push_back(found.first);
-      });
+    else
+      for(const vertex_descriptor a : copies(s))
+        visit_copies(t, [&](const vertex_descriptor b)
+        {
+          const std::pair<halfedge_descriptor, bool> found = halfedge(a, b, tmesh());
+          if(found.second && curve(found.first) == curve(h))
+            result.push_back(found.first);
+        });
     return result;
   }
 
