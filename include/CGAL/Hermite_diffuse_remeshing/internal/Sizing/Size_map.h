@@ -192,6 +192,8 @@ public:
       m_fine_sizes.clear();
   }
 
+  bool is_coarse() const { return !m_fine_sizes.empty(); }
+
   // that an edge of a size may have over a feature curve
   double largest_sagitta(const double size) const { return m_scale * m_sources.largest_sagitta(size); }
 

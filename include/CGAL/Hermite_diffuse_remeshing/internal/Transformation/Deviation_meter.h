@@ -329,7 +329,7 @@ private:
     m_gaps[index_at(side)].middles[k] = std::copysign((std::max)(distance, std::abs(across)), across);
   }
 
-  // The vertices inside the surface are on the model.
+  // The vertices inside the surface are on the model, but for those that could not be put there.
   void measure_vertices()
   {
     const TriangleMesh& tm = m_mesh.tmesh();
@@ -337,7 +337,7 @@ private:
     for(const auto v : vertices(tm))
     {
       m_mesh.give_up_if_stopped();
-      if(m_mesh.index(v) == -1 || m_mesh.site(v).curve == -1)
+      if(m_mesh.index(v) == -1 || (m_mesh.site(v).curve == -1 && !m_mesh.site(v).is_sketched))
         continue;
       const halfedge_descriptor h = first_remeshed_halfedge(m_mesh, v);
       if(h != Mesh::Graph_traits::null_halfedge() && has_new_face(v))

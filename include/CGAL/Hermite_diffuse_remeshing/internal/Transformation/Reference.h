@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Feature_displacements.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_locator.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/sketch_surface.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
 
 #include <algorithm>
@@ -31,6 +32,7 @@ struct Site
   double parameter = 0.;                // on the curve
   Location location;
   int curve = -1;                       // -1: on the surface
+  bool is_sketched = false;             // near the model only, see `sketch_surface()`
 
   bool has_normal() const { return normal != Vector::Zero(); }
 };
@@ -138,23 +140,28 @@ struct Reference
     // size; what is less is below the steps of relocations.
     constexpr double tolerance = 0.02;
     constexpr int maximum_number_of_corrections = 2;
-    Site site;
-    Local_quadric quadric;
-    const auto put_at = [&](const Location& location)
-    {
-      site.location = location;
-      quadric = surface.evaluate(location);
-      site.point = quadric.point() + displacement_of(location, quadric);
-      site.size = sizes(location);
-    };
-    put_at(locate(p, hint));
+    Site site = surface_site(locate(p, hint));
     for(int i = 0; i < maximum_number_of_corrections; ++i)
     {
-      const Vector gap = p - site.point, aside = gap - gap.dot(quadric.z_axis) * quadric.z_axis;
+      const Vector gap = p - site.point, aside = gap - gap.dot(site.normal) * site.normal;
       if(aside.norm() <= tolerance * site.size)
         break;
-      put_at(locator.walk(surface.triangles().point(site.location) + aside, site.location.face));
+      site = surface_site(locator.walk(surface.triangles().point(site.location) + aside, site.location.face));
     }
+    return site;
+  }
+
+  // above a location. What a coarse mesh is made for is to be refined: there a sketch of the model does.
+  Site surface_site(const Location& location) const
+  {
+    Site site;
+    site.location = location;
+    Local_quadric quadric;
+    site.is_sketched = sizes.is_coarse() && sketch_surface(surface, location, quadric);
+    if(!site.is_sketched)
+      quadric = surface.evaluate(location);
+    site.point = quadric.point() + displacement_of(location, quadric);
+    site.size = sizes(location);
     // blended from the nodes: where a fit is badly conditioned it still points outwards
     site.normal = quadric.z_axis;
     return site;

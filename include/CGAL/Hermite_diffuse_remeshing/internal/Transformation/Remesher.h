@@ -124,6 +124,8 @@ private:
       Base::begin_part(level > 1 ? part_of_level : 1.);
       m_number_of_iterations = 0;
       set_level(m_mesh, --level);
+      if(level == 0)
+        put_on_model(m_mesh);
       make_room_for_level(m_mesh);
       // nearly all are split; new vertices have to be near in memory if they are in space
       split_long_edges_once(m_mesh, Length_band::longest_before_refinement(), 0, BY_NUMBER);

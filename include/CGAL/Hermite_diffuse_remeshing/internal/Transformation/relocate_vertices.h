@@ -118,6 +118,25 @@ std::size_t balance_vertices(Working_mesh<UserMesh>& mesh, const std::size_t sin
   });
 }
 
+// Moves the vertices that lie on a sketch of the model to where it is evaluated, unless that spoils triangles.
+template <typename UserMesh>
+std::size_t put_on_model(Working_mesh<UserMesh>& mesh)
+{
+  typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
+  return relocate_vertices(mesh, 0, [&](const vertex_descriptor v) -> std::optional<Site>
+  {
+    const Site& old_site = mesh.site(v);
+    if(!old_site.is_sketched)
+      return std::nullopt;
+    const Site site = mesh.reference().surface_site(old_site.location);
+    Star star(mesh.reference(), Star::MEAN);
+    star.add(mesh, v);
+    if(!is_acceptable(star.worth(site), [&] { return star.worth(old_site); }, score_floor))
+      return std::nullopt;
+    return site;
+  });
+}
+
 // A search along a line: the values a step away from the best so far are offered to `take(value)`, which tells whether they
 // are better. Where neither is, the step is halved, until `is_short(step, best)`.
 template <typename IsShort, typename Take>
