@@ -146,8 +146,6 @@ private:
   bool search(const vertex_descriptor v, const double radius, const std::initializer_list<const Triangles*> triangles)
   {
     const double needed = clearance * radius;
-    if(!Base::note_moved(Bounding_box(point(v), point(v)).enlarged(reach_of_search * needed)))
-      return false;
     m_search->begin_at(v);
     Clear_ball ball = {point(v), m_search->axis(), 0., (std::numeric_limits<double>::infinity)()};
     ball.radius = (std::max)(needed, (std::min)(reach_of_search * needed, m_search->satisfying_reach()));
@@ -158,10 +156,15 @@ private:
       ball.axis = m_search->axis();
     };
     const auto least_height = [&] { return (std::max)(headroom * ball.largest_height(triangles), least_part_of_height * radius); };
+    // No faces farther away than the search has come need to be told of; false after a stop.
+    const auto tell_up_to = [&](const double reach)
+    { return Base::note_moved(Bounding_box(ball.center, ball.center).enlarged(reach)); };
     Surroundings& around = m_surroundings[index(v)];
     look_up_to(needed);
     if(ball.radius >= needed && std::isfinite(around.bound))
     {
+      if(!tell_up_to(needed))
+        return false;
       const double reach = m_search->without_other_sheets(*m_guard, ball, needed, least_height()).radius;
       if(reach < needed)
         ball.radius = reach;
@@ -174,7 +177,11 @@ private:
       ball.radius = m_search->simple_radius(ball.radius);
     }
     if(ball.radius >= needed)
+    {
+      if(!tell_up_to(ball.radius))
+        return false;
       ball = m_search->without_other_sheets(*m_guard, ball, ball.radius, least_height());
+    }
     if(ball.radius < needed)
     {
       around.bound = ball.radius / clearance;
