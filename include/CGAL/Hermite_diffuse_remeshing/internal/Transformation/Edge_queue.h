@@ -78,8 +78,12 @@ void visit_changed_edges(const Working_mesh<UserMesh>& mesh, const std::size_t s
   {
     std::size_t step = 0;
     for(auto [e, end] = edges(tm); e != end && !mesh.is_stopped_at(step++); ++e)
-      if(mesh.has_changed(halfedge(*e, tm), since))     // has faces
-        visit(directed_by_number(mesh, halfedge(*e, tm)));
+    {
+      const auto h = halfedge(*e, tm);
+      const int s = mesh.index(source(h, tm)), t = mesh.index(target(h, tm));
+      if(s != -1 || t != -1)                            // has faces
+        visit(s < t ? h : opposite(h, tm));
+    }
     return;
   }
   for(int i = 0; i < static_cast<int>(mesh.number_of_vertex_slots()) && !mesh.is_stopped_at(i); ++i)

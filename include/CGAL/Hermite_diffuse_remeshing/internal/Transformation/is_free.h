@@ -109,7 +109,26 @@ bool is_collapse_free(Working_mesh<UserMesh>& mesh,
 {
   if(!mesh.is_guarded())
     return true;
-  const auto s = source(h, mesh.tmesh()), t = target(h, mesh.tmesh());
+  const auto& tm = mesh.tmesh();
+  const auto s = source(h, tm), t = target(h, tm);
+  const auto center = center_of_disc(mesh, s);
+  const bool is_looked_for = center != Working_mesh<UserMesh>::Graph_traits::null_vertex() && !mesh.has_copies(t);
+  if(is_looked_for)
+  {
+    boost::container::small_vector<Corner_points, 12> moved, removed;
+    for(const auto v : {s, t})
+      for(const auto g : CGAL::halfedges_around_target(v, tm))
+      {
+        const auto from = source(g, tm), to = target(next(g, tm), tm);
+        if(CGAL::is_border(g, tm) || (v == t && (from == s || to == s)))
+          continue;                     // around s already
+        removed.push_back({{&mesh.point(from), &mesh.point(v), &mesh.point(to)}});
+        if(v == t || (from != t && to != t))
+          moved.push_back({{&mesh.point(from), &site.point, &mesh.point(to)}});
+      }
+    if(mesh.is_clear(center, moved, removed))
+      return true;
+  }
   const Numbered_triangles replaced = triangles_around(mesh, {s, t});
   Numbered_triangles made;
   for(const Numbered_triangle& triangle : replaced)
@@ -119,7 +138,7 @@ bool is_collapse_free(Working_mesh<UserMesh>& mesh,
     if(std::count(moved.vertices.begin(), moved.vertices.end(), mesh.index(t)) == 1)
       made.push_back(moved);
   }
-  return mesh.is_free(center_of_disc(mesh, s), made, replaced);
+  return is_looked_for ? mesh.is_allowed(center, made, replaced) : mesh.is_free(center, made, replaced);
 }
 
 template <typename UserMesh>
