@@ -5,6 +5,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Feature_displacements.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/crossing_of_ridge.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/sketch_surface.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -855,6 +856,37 @@ void test_projection()
   assert(ok);
 }
 
+// What meshes lie on that will be refined is near the model, or it is not offered.
+void test_sketch()
+{
+  for(const Test_surface& s : {analytic::torus(), analytic::ellipsoid()})
+  {
+    const auto model = make_model(indexed(s.mesh(5000, 1)));
+    const Reference_surface& surface = model->surface;
+    Root_mean_square height, difference;
+    for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
+    {
+      const Location location{f, {{0.5, 0.3, 0.2}}};
+      Local_quadric sketch;
+      assert(sketch_surface(surface, location, sketch));
+      const Local_quadric q = surface.evaluate(location);
+      assert(sketch.z_axis == q.z_axis);
+      height.add((q.point() - q.origin).norm());
+      difference.add((q.point() - sketch.point()).norm());
+      for(int k = 0; k < 3; ++k)
+      {
+        assert(sketch_surface(surface, location_of_corner(3 * f + k), sketch));
+        assert((sketch.point() - surface.triangles().point(f, k)).norm() <= 1e-12 * q.size);
+      }
+    }
+    assert(difference() < 0.1 * height());
+    Model_options paper;
+    paper.is_solved_at_centroids = true;
+    Local_quadric sketch;
+    assert(!sketch_surface(make_model(indexed(s.mesh(500, 1)), paper)->surface, Location{0, {{0.5, 0.3, 0.2}}}, sketch));
+  }
+}
+
 // Beyond a border, where the surface ends, the height above its plane is not the distance.
 void test_projection_beyond_border()
 {
@@ -910,6 +942,7 @@ int main()
   test_closest_face();
   test_projection();
   test_projection_beyond_border();
+  test_sketch();
   test_form_of_paper();
   test_accuracy();
   test_orders();

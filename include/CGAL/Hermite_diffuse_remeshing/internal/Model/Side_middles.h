@@ -9,7 +9,9 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_SIDE_MIDDLES_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_SIDE_MIDDLES_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Cut_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>

@@ -16,8 +16,8 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // A surface near the one that is evaluated, at a fiftieth of the price, for meshes that will be refined: through the
-// nodes, with the same z axes, and between the nodes halfway from the facet to the tangent planes of its corners, which is
-// right for a paraboloid. Sets the height over the facet. Returns false where it is not near.
+// nodes, with the same z axes, and between the nodes halfway from the facet to the tangent planes of its corners, which
+// is right for a paraboloid. Sets the height over the facet. Returns false where it is not near.
 inline bool sketch_surface(const Reference_surface& surface, const Location& location, Local_quadric& result)
 {
   // a tangent plane that is steeper over the facet says little of the height

@@ -61,8 +61,8 @@ inline double bound_from_segment(const Vector& a, const Vector& b, const double 
   return bound >= (1. + margin) * (std::max)(s, t) ? (std::min)(bound, at_ends) : at_ends;
 }
 
-// Of the indices: is it in a triangle in which the slope may be too large? Nowhere in a triangle a size is lowered to less
-// than the smallest one and what the slope makes of the smallest height.
+// Of the indices: is it in a triangle in which the slope may be too large? Nowhere in a triangle a size is lowered to
+// less than the smallest one and what the slope makes of the smallest height.
 template <typename PointOfIndex>
 std::vector<char> find_steep(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
                              const double slope, const std::vector<double>& sizes)
