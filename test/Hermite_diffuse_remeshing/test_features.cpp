@@ -1,4 +1,5 @@
 #include "feature_measures.h"
+#include "is_refused.h"
 #include "test_helpers.h"
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -86,6 +87,13 @@ void test_detection()
   PMP::hermite_diffuse_classify_features(cube, maps.edge_classes, maps.vertex_classes);
   assert(number(vertices(cube), maps.vertex_classes, HDR::JUNCTION_VERTEX) == 8);
   assert(number(edges(cube), maps.edge_classes, HDR::SHARP_EDGE) == 12);
+  for(const double scale : {1e-60, 1e60})
+  {
+    Surface_mesh scaled = cube;
+    for(const auto v : vertices(scaled))
+      scaled.point(v) = CGAL::ORIGIN + scale * (cube.point(v) - CGAL::ORIGIN);
+    assert(is_refused([&] { PMP::hermite_diffuse_classify_features(scaled, maps.edge_classes, maps.vertex_classes); }));
+  }
 
   // the function takes any kind of mesh and map
   CGAL::Polyhedron_3<Kernel> polyhedron = read_data<CGAL::Polyhedron_3<Kernel> >("cube.off");

@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>
 
 #include <type_traits>
@@ -99,8 +100,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
- * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
- *        that is not finite, or if a parameter is out of its range
+ * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle, a coordinate that is not
+ *        finite or a diameter outside [1e-50, 1e50], or if a parameter is out of its range
  *
  * @sa `hermite_diffuse_remesh()`
  */
@@ -118,6 +119,7 @@ void hermite_diffuse_classify_features(const TriangleMesh& tmesh, const EdgeClas
   const Feature_options options = read_feature_options(pack);
   const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
   const Indexed_triangles& triangles = input.triangles;
+  checked_diameter(triangles);
   const auto vertex_is_constrained = parameters::choose_parameter(
     parameters::get_parameter(pack, internal_np::vertex_is_constrained),
     Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, false>());
