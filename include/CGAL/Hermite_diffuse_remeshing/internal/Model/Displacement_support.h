@@ -9,7 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_DISPLACEMENT_SUPPORT_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_DISPLACEMENT_SUPPORT_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Curves/chain_feature_edges.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Cut_mesh.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
 
 #include <algorithm>
@@ -64,12 +65,11 @@ public:
 
   // Chooses the largest triangle over faces of one plane, without a feature among them. Returns the faces, none if there is
   // no triangle with more room than the side's own face.
-  std::vector<int> find_faces(const Indexed_triangles& triangles, const Edge_table& edges, const Feature_curves& curves,
-                              const Face_side& side)
+  std::vector<int> find_faces(const Reference_surface& surface, const Face_side& side)
   {
     for(int i = 0; i <= number_of_halves && m_height > m_room; ++i, m_height /= 2.)
     {
-      const std::vector<int> faces = faces_below(triangles, edges, curves, side);
+      const std::vector<int> faces = faces_below(surface.triangles(), surface.cut_mesh(), side);
       if(!faces.empty())
         return faces;
     }
@@ -118,8 +118,7 @@ private:
   }
 
   // the faces that the triangle lies over; none if one of them is not in the plane, or a feature is there
-  std::vector<int> faces_below(const Indexed_triangles& triangles, const Edge_table& edges, const Feature_curves& curves,
-                               const Face_side& side) const
+  std::vector<int> faces_below(const Indexed_triangles& triangles, const Cut_mesh& cut_mesh, const Face_side& side) const
   {
     constexpr double flatness = 1e-3;   // of the length of the side: what the plane may miss the corners of faces by
     std::vector<int> faces(1, side.face);
@@ -131,10 +130,9 @@ private:
           return {};
         if((faces[i] == side.face && k == side.side) || !is_crossed_by(p, q))
           continue;
-        const int e = edges.edge(faces[i], k);
-        if(curves.curve_of_edge[e] != -1 || edges.number_of_sides(e) != 2)
+        const int other = cut_mesh.neighbor(faces[i], k);
+        if(other == -1)
           return {};
-        const int other = edges.side(e, 0).face == faces[i] ? edges.side(e, 1).face : edges.side(e, 0).face;
         if(std::find(faces.begin(), faces.end(), other) == faces.end())
           faces.push_back(other);
       }

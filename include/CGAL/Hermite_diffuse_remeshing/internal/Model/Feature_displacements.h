@@ -82,7 +82,7 @@ public:
       }, progress.part(double(first) / double(sides.size()), double(first + number) / double(sides.size())));
       for(std::size_t i = 0; i < number; ++i)
         if(!std::all_of(block[i].begin(), block[i].end(), [](const Vector& gap) { return gap == Vector::Zero(); }))
-          add(surface, edges, curves, sides[first + i], block[i]);
+          add(surface, sides[first + i], block[i]);
     }
   }
 
@@ -112,8 +112,7 @@ public:
   }
 
 private:
-  void add(const Reference_surface& surface, const Edge_table& edges, const Feature_curves& curves, const Face_side& side,
-           const Gaps& gaps)
+  void add(const Reference_surface& surface, const Face_side& side, const Gaps& gaps)
   {
     const int number = static_cast<int>(m_gaps.size());
     m_gaps.push_back(gaps);
@@ -121,8 +120,8 @@ private:
     double inwards = 0.;
     for(const Vector& gap : gaps)
       inwards = (std::max)(inwards, triangle.inward_part(gap));
-    const std::vector<int> faces = triangle.is_face_folded(inwards)
-                                 ? triangle.find_faces(surface.triangles(), edges, curves, side) : std::vector<int>();
+    const std::vector<int> faces = triangle.is_face_folded(inwards) ? triangle.find_faces(surface, side)
+                                                                    : std::vector<int>();
     if(faces.empty())
       entry(side.face).gaps_of_sides[side.side] = number;
     else

@@ -60,14 +60,7 @@ public:
                                                  : m_point_at(location(face, side));
   }
 
-  static Location location(const int face, const int side)
-  {
-    Location result;
-    result.face = face;
-    result.coordinates = {{0.5, 0.5, 0.5}};
-    result.coordinates[previous(side)] = 0.;
-    return result;
-  }
+  static Location location(const int face, const int side) { return location_on_side({face, side}, 0.5); }
 };
 
 } // namespace internal

@@ -102,7 +102,7 @@ inline bool do_meet_beside_side(const Vector& a, const Vector& b, const Vector& 
   if(n.dot(m) < 0. || std::abs(n.dot(d - a)) > clearly * n.norm() * (d - a).norm())
     return false;
   return CGAL::coplanar(exact(a), exact(b), exact(c), exact(d))
-      && !CGAL::collinear(exact(a), exact(b), exact(c)) && !CGAL::collinear(exact(a), exact(b), exact(d))
+      && !is_flat({{a, b, c}}) && !is_flat({{a, b, d}})
       && CGAL::coplanar_orientation(exact(a), exact(b), exact(c), exact(d)) == CGAL::POSITIVE;
 }
 
