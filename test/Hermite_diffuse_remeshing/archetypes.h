@@ -100,16 +100,17 @@ public:
   double operator()(const Point&) const { return m_size; }
 };
 
-// of HermiteDiffuseRemeshingVisitor
+// of HermiteDiffuseRemeshingVisitor; it has no names for the types of the elements
 template <typename TriangleMesh>
-struct Visitor
+class Visitor
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::edge_descriptor edge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
+  typedef typename Graph_traits::vertex_descriptor Vertex;
+  typedef typename Graph_traits::halfedge_descriptor Halfedge;
+  typedef typename Graph_traits::edge_descriptor Edge;
+  typedef typename Graph_traits::face_descriptor Face;
 
+public:
   std::size_t number_of_stages = 0, number_of_splits = 0;
 
   Visitor() {}
@@ -120,17 +121,17 @@ struct Visitor
   void progress(double) {}
   void stage_ends(const char*) {}
   bool is_stop_requested() { return false; }
-  void before_edge_split(edge_descriptor) {}
-  void after_edge_split(vertex_descriptor) { ++number_of_splits; }
-  void after_face_split(face_descriptor, face_descriptor) {}
-  void before_edge_collapse(halfedge_descriptor) {}
-  void after_edge_collapse(vertex_descriptor) {}
-  void before_edge_flip(edge_descriptor) {}
-  void after_edge_flip(edge_descriptor) {}
-  void before_vertex_removal(vertex_descriptor) {}
+  void before_edge_split(Edge) {}
+  void after_edge_split(Vertex) { ++number_of_splits; }
+  void after_face_split(Face, Face) {}
+  void before_edge_collapse(Halfedge) {}
+  void after_edge_collapse(Vertex) {}
+  void before_edge_flip(Edge) {}
+  void after_edge_flip(Edge) {}
+  void before_vertex_removal(Vertex) {}
   void after_vertex_removal() {}
-  void before_vertex_relocation(vertex_descriptor) {}
-  void after_vertex_relocation(vertex_descriptor) {}
+  void before_vertex_relocation(Vertex) {}
+  void after_vertex_relocation(Vertex) {}
 };
 
 } // namespace archetype

@@ -12,6 +12,9 @@ An exception thrown by a function of the visitor ends the remeshing and reaches 
 mesh. The repairs of degenerate and folded faces are told in the same way, as collapses and flips of the stage
 `"repair"`.
 
+`vertex_descriptor`, `halfedge_descriptor`, `edge_descriptor` and `face_descriptor` stand for the types of
+`boost::graph_traits` for the mesh that is remeshed. A model need not name them.
+
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<TriangleMesh>}
 \cgalHasModelsEnd
@@ -19,20 +22,6 @@ mesh. The repairs of degenerate and folded faces are told in the same way, as co
 class HermiteDiffuseRemeshingVisitor
 {
 public:
-  /// \name Types
-  /// of the mesh that is remeshed, as given by `boost::graph_traits`
-  /// @{
-
-  /// a vertex of the mesh
-  typedef unspecified_type vertex_descriptor;
-  /// a halfedge of the mesh
-  typedef unspecified_type halfedge_descriptor;
-  /// an edge of the mesh
-  typedef unspecified_type edge_descriptor;
-  /// a face of the mesh
-  typedef unspecified_type face_descriptor;
-  /// @}
-
   /// \name Stages
   /// @{
 

@@ -6,9 +6,12 @@ The concept `HermiteDiffuseSizeField` is what a user asks for as the length of t
 the mesh. It is the type of the named parameter `size_field` of
 `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`.
 
-There are two forms, and a model has one of them. A field that depends on the point alone, such as a
-lambda expression, has the first. A field that is attached to the mesh, such as a property map, has the
+There are two forms of the call operator, and a model has one of them. A field that depends on the point alone, such as
+a lambda expression, has the first. A field that is attached to the mesh, such as a property map, has the
 second.
+
+`Point_3` and `FT` stand for these types of the geometry traits, `face_descriptor` for the faces of the mesh, or
+`std::size_t` where a soup is remeshed. A model need not name them.
 
 A field is read before the mesh is changed, and not afterwards. It must be a function in the
 mathematical sense: the same place has the same size, however often and in whichever order it is
@@ -31,15 +34,6 @@ The field need be neither continuous nor of limited slope: the gradation takes c
 class HermiteDiffuseSizeField
 {
 public:
-  /// the point type of the geometry traits
-  typedef unspecified_type Point_3;
-
-  /// the number type of the geometry traits
-  typedef unspecified_type FT;
-
-  /// the faces of the mesh, or `std::size_t` where a soup is remeshed
-  typedef unspecified_type face_descriptor;
-
   /// returns the size at a point of the surface.
   double operator()(const Point_3& p) const;
 

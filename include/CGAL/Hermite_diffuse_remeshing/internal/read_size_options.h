@@ -91,7 +91,7 @@ void read_size_field(const Pack& pack, const GeomTraits& traits, const std::vect
     const auto field = parameters::get_parameter(pack, internal_np::size_field);
     constexpr bool is_local = std::is_invocable<decltype(field), const typename GeomTraits::Point_3&,
                                                 FaceDescriptor, const std::array<FT, 3>&>::value;
-    const auto construct_point = traits.construct_point_3_object();
+    const typename GeomTraits::Construct_point_3 construct_point = traits.construct_point_3_object();
     options.is_user_size_local = is_local;
     options.user_size = [field, construct_point, face_descriptors](const Vector& p, const Location& location)
     {

@@ -82,10 +82,11 @@ void make_soup_mesh(const Indexed_triangles& surface, const GeomTraits& traits,
   std::vector<Edge_class> classes = classify_edges(surface, edges, std::numeric_limits<double>::infinity(),
                                                    [](int, int) { return MARKED_FREE; });
   const Cut_mesh cut_mesh(surface, edges, classes);
+  const typename GeomTraits::Construct_point_3 construct_point = traits.construct_point_3_object();
   for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
   {
     const Vector& p = surface.points[cut_mesh.vertex(i)];
-    mesh.add_vertex(traits.construct_point_3_object()(p[0], p[1], p[2]));
+    mesh.add_vertex(construct_point(p[0], p[1], p[2]));
   }
   for(int f = 0; f < surface.number_of_faces(); ++f)
   {

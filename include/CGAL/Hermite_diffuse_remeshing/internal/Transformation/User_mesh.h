@@ -73,7 +73,8 @@ public:
 
   void set_point(const vertex_descriptor v, const Vector& p) const override
   {
-    put(m_points, v, m_traits.construct_point_3_object()(p[0], p[1], p[2]));
+    const typename GeomTraits::Construct_point_3 construct_point = m_traits.construct_point_3_object();
+    put(m_points, v, construct_point(p[0], p[1], p[2]));
   }
 
   bool is_constrained(const edge_descriptor e) const override { return get(m_edge_is_constrained, e); }
