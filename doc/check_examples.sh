@@ -66,7 +66,7 @@ cp "$work"/page/*.cpp "$work/user"
   echo 'cmake_minimum_required(VERSION 3.12)'
   echo 'project(Newcomer CXX)'
   grep find_package "$work/printed.cmake"
-  # the viewer needs more
+  # the viewer needs more, and sizing fields came with CGAL 6
   echo 'if(CGAL_VERSION VERSION_LESS 6)'
   echo '  find_package(CGAL QUIET OPTIONAL_COMPONENTS Qt5)'
   echo 'else()'
@@ -74,10 +74,16 @@ cp "$work"/page/*.cpp "$work/user"
   echo 'endif()'
   for program in "$work"/user/*.cpp; do
     name=$(basename "$program" .cpp)
-    [ "$name" != draw_hermite_diffuse_remeshing_example ] || echo 'if(CGAL_Qt5_FOUND OR CGAL_Qt6_FOUND)'
+    case $name in
+      draw_hermite_diffuse_remeshing_example)     condition='CGAL_Qt5_FOUND OR CGAL_Qt6_FOUND' ;;
+      isotropic_remeshing_with_curvature_example) condition='NOT CGAL_VERSION VERSION_LESS 6' ;;
+      *)                                          condition=TRUE ;;
+    esac
+    echo "if($condition)"
     grep -v find_package "$work/printed.cmake" | sed "s/\bmy_program\b/$name/g"
     [ "$name" != draw_hermite_diffuse_remeshing_example ] \
-      || { echo "target_link_libraries($name PRIVATE CGAL::CGAL_Basic_viewer)"; echo 'endif()'; }
+      || echo "target_link_libraries($name PRIVATE CGAL::CGAL_Basic_viewer)"
+    echo 'endif()'
   done
 } > "$work/user/CMakeLists.txt"
 cmake -S "$work/user" -B "$work/build" "-DCMAKE_PREFIX_PATH=$work/installed" "$@" > "$work/log" 2>&1 \

@@ -1,5 +1,5 @@
-// CGAL's own isotropic remeshing (from CGAL 6 on) with the sizes of this package: the error at the edges is
-// relative to the curvature of the smooth surface, and the sizes are scaled to a number of faces.
+// CGAL's own isotropic remeshing with the sizes of this package: the error at the edges is relative to the curvature
+// of the smooth surface, and the sizes are scaled to a number of faces. Sizing fields are known to CGAL 6 and later.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -28,15 +28,11 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-#ifdef CGAL_HDR_HAS_PMP_SIZING_FIELD
   PMP::Hermite_diffuse_sizing_field<Mesh> sizing(mesh,
     CGAL::parameters::approximation_error(0.02).gradation(1.5).maximum_number_of_faces(20000));
   PMP::isotropic_remeshing(faces(mesh), sizing, mesh, CGAL::parameters::number_of_iterations(5));
   mesh.collect_garbage();
   std::cout << mesh.number_of_faces() << " faces" << std::endl;
   CGAL::IO::write_polygon_mesh("isotropic.off", mesh, CGAL::parameters::stream_precision(17));
-#else
-  std::cout << "This version of CGAL has no sizing fields for isotropic_remeshing()." << std::endl;
-#endif
   return EXIT_SUCCESS;
 }
