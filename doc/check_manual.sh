@@ -41,9 +41,9 @@ awk 'NR == FNR { known[$1] = 1; next } !($1 in known) { print $1 " of " $2 " has
 
 
 # named parameters, which functions and classes describe in their tables
-sed -nE 's/^ *ADD\([a-z_]+, [a-z_]+, ([a-z_]+)\).*/\1/p' \
-    "$include/CGAL/Hermite_diffuse_remeshing/named_parameters.h" | sort -u > "$work/parameters"
-grep -hE '^<td><code>[a-z_]+</code></td><td><ul>' -- *.html | sed -E 's|^<td><code>([a-z_]+)<.*|\1|' | sort -u > "$work/described"
+tr -d '\\\n' < "$include/CGAL/Hermite_diffuse_remeshing/named_parameters.h" \
+  | grep -oE 'ADD\([A-Za-z_]+, *[A-Za-z_]+, *[A-Za-z_]+\)' | sed -E 's/.*[ ,]([A-Za-z_]+)\)/\1/' | sort -u > "$work/parameters"
+grep -hE '^<td><code>[A-Za-z_]+</code></td><td><ul>' -- *.html | sed -E 's|^<td><code>([A-Za-z_]+)<.*|\1|' | sort -u > "$work/described"
 comm -23 "$work/parameters" "$work/described" | sed 's/$/: a named parameter that no page describes/' >> "$work/errors"
 
 if [ -s "$work/errors" ]; then

@@ -147,7 +147,7 @@ Curvatures corrected(const Indexed_triangles& triangles, const double radius)
   else
     PMP::interpolated_corrected_curvatures(mesh, np);
   Curvatures result;
-  for(const Mesh::Vertex_index v : mesh.vertices())              // their sign is the opposite of ours
+  for(const Mesh::Vertex_index v : mesh.vertices())              // their sign is the opposite of that of fits
     result.push_back(std::make_pair(-map[v].min_curvature, -map[v].max_curvature));
   return result;
 }

@@ -21,12 +21,12 @@ typedef CGAL::IO::Color                                       Color;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// blue where the surface is convex, white where it is flat, red in folds
+// red where the surface is convex, white where it is flat, blue in folds
 std::vector<Color> colors_by_curvature(const Mesh& mesh, const double length)
 {
   Mesh copy = mesh;
   const auto curvature = copy.add_property_map<Mesh::Vertex_index, double>("v:curvature").first;
-  PMP::hermite_diffuse_curvatures(copy, CGAL::parameters::mean_curvature_map(curvature));
+  PMP::hermite_diffuse_curvatures(copy, CGAL::parameters::vertex_mean_curvature_map(curvature));
 
   std::vector<Color> colors;
   for(const Mesh::Face_index f : copy.faces())

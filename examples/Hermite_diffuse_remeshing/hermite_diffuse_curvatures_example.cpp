@@ -61,17 +61,17 @@ int main(int argc, char* argv[])
 
   const auto curvatures = mesh.add_property_map<Mesh::Vertex_index, Principal_curvatures>("v:curvatures").first;
   PMP::hermite_diffuse_curvatures<CGAL::Parallel_if_available_tag>(
-    mesh, CGAL::parameters::principal_curvatures_map(curvatures));
+    mesh, CGAL::parameters::vertex_principal_curvatures_and_directions_map(curvatures));
 
-  Fields fields = { {"mean_curvature", {}}, {"gaussian_curvature", {}}, {"maximum_curvature", {}},
-                    {"minimum_curvature", {}} };
+  Fields fields = { {"mean_curvature", {}}, {"gaussian_curvature", {}}, {"max_curvature", {}},
+                    {"min_curvature", {}} };
   for(const Mesh::Vertex_index v : mesh.vertices())
   {
     const Principal_curvatures& k = curvatures[v];
     fields[0].second.push_back(k.mean_curvature());
-    fields[1].second.push_back(k.gaussian_curvature());
-    fields[2].second.push_back(k.maximum_curvature);
-    fields[3].second.push_back(k.minimum_curvature);
+    fields[1].second.push_back(k.Gaussian_curvature());
+    fields[2].second.push_back(k.max_curvature);
+    fields[3].second.push_back(k.min_curvature);
   }
 
   std::ofstream os(output);

@@ -43,7 +43,7 @@ int main()
             << std::sqrt((surface.point(foot) - center - expected).squared_length()) << std::endl;
 
   const auto principal = surface.principal_curvatures_and_directions(foot);
-  std::cout << "mean curvature " << principal.mean_curvature() << ", Gaussian " << principal.gaussian_curvature()
+  std::cout << "mean curvature " << principal.mean_curvature() << ", Gaussian " << principal.Gaussian_curvature()
             << std::endl;
-  return std::abs(principal.gaussian_curvature() - 1.) < 0.05 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return std::abs(principal.Gaussian_curvature() - 1.) < 0.05 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -83,7 +83,7 @@ public:
   /// a face and the barycentric coordinates in it, which are not negative and add up to one
   typedef std::pair<face_descriptor, std::array<FT, 3> > Face_location;
 
-  /// principal curvatures, larger first, and unit directions of the tangent plane
+  /// principal curvatures and their directions, unit vectors of the tangent plane
   typedef Hermite_diffuse_remeshing::Principal_curvatures_and_directions<Geom_traits>
     Principal_curvatures_and_directions;
   /// @}
@@ -98,19 +98,28 @@ public:
   /*!
    * fits the surface to a mesh.
    *
+   * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
    * @param tmesh the mesh; it must outlive the surface, without changes of its faces
-   * @param np an optional sequence of named parameters among `sharp_dihedral_angle`, `corner_angle`,
-   *        `apex_angular_defect`, `edge_is_constrained_map`, `edge_policy_map`,
-   *        `vertex_is_constrained_map`, `face_patch_map`, `maximum_displacement`, `polynomial_degree`, `hermite_weight`, `normal_estimation`,
-   *        `vertex_point_map` and `geom_traits`, with the meaning and the defaults that they have for
-   *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, whose maps are only read here, and
-   *        <ul>
-   *        <li>`vertex_normal_map`: normals that are known, as a model of `ReadablePropertyMap` with key type
-   *        `vertex_descriptor` and value type `Vector_3`. They replace estimates; zero means unknown.
-   *        At a vertex on a feature a normal is used on the sides whose faces it is nearly normal to.
-   *        <li>`surface_model`: a value of `CGAL::Hermite_diffuse_remeshing::Surface_model`, by default
-   *        `CONTINUOUS_MODEL`. `PAPER_MODEL` has degree 2.
-   *        </ul>
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map,
+   *     edge_policy_map, vertex_is_constrained_map, face_patch_map, maximum_displacement, polynomial_degree,
+   *     hermite_weight, normal_estimation, surface_model, vertex_normal_map}
+   *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, but maps are only read}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{vertex_point_map}
+   *     \cgalParamDescription{the points of the vertices}
+   *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type `Point_3`}
+   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{geom_traits}
+   *     \cgalParamDescription{an instance of the geometric traits class}
+   *     \cgalParamType{`Geom_traits`}
+   *     \cgalParamDefault{`Geom_traits()`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
    *
    * Takes time proportional to the number of faces, but for the sorting of the edges and the search tree,
    * which add a logarithmic factor, and for vertices with very many faces, which take the square of their number. The
@@ -154,20 +163,21 @@ public:
     return to_vector(evaluate(location).normal());
   }
 
-  /// returns the principal curvatures at a location, larger first, in one over the unit of length, whatever
-  /// `maximum_displacement` is.
+  /// returns the principal curvatures at a location, larger first, in one over the unit of length, positive where the
+  /// surface bends away from its normal, whatever `maximum_displacement` is.
   std::pair<FT, FT> principal_curvatures(const Face_location& location) const
   {
+    // with the signs of the class for curvatures and directions
     const std::pair<double, double> k = evaluate_unbounded(location).monge_form().curvatures();
-    return std::make_pair(FT(k.first), FT(k.second));
+    return std::make_pair(FT(0. - k.second), FT(0. - k.first));
   }
 
   /// returns the principal curvatures and their directions at a location, whatever `maximum_displacement` is.
   Principal_curvatures_and_directions
   principal_curvatures_and_directions(const Face_location& location) const
   {
-    const auto k = evaluate_unbounded(location).monge_form().principal_curvatures();
-    return {FT(k.maximum), FT(k.minimum), to_vector(k.maximum_direction), to_vector(k.minimum_direction)};
+    return Hermite_diffuse_remeshing::internal::to_public(
+      evaluate_unbounded(location).monge_form().principal_curvatures(), m_traits);
   }
   /// @}
 
@@ -248,10 +258,15 @@ private:
   {
     return Hermite_diffuse_remeshing::internal::Point_reader<Geom_traits>(m_traits)(p);
   }
-  Point_3 to_point(const Vector& v) const { return m_traits.construct_point_3_object()(FT(v[0]), FT(v[1]), FT(v[2])); }
+  Point_3 to_point(const Vector& v) const
+  {
+    const typename Geom_traits::Construct_point_3 point = m_traits.construct_point_3_object();
+    return point(FT(v[0]), FT(v[1]), FT(v[2]));
+  }
   Vector_3 to_vector(const Vector& v) const
   {
-    return m_traits.construct_vector_3_object()(FT(v[0]), FT(v[1]), FT(v[2]));
+    const typename Geom_traits::Construct_vector_3 vector = m_traits.construct_vector_3_object();
+    return vector(FT(v[0]), FT(v[1]), FT(v[2]));
   }
 };
 

@@ -161,7 +161,7 @@ struct Torus
     return std::abs(std::hypot(std::hypot(p[0], p[1]) - R, p[2]) - r);
   }
 
-  // principal curvatures with the sign of the package: negative where the body is convex
+  // principal curvatures with the sign of the fits: negative where the body is convex
   std::pair<double, double> curvatures(const Point& p) const
   {
     const double rho = std::hypot(p[0], p[1]);

@@ -1,11 +1,13 @@
 // Recognition of planes, spheres, cylinders, cones and tori, joined with and without sharp edges.
 
 #include "irregular_meshes.h"
+#include "is_refused.h"
 
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_classify_faces.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/squared_distance_3.h>
 
 #include <cassert>
@@ -252,6 +254,21 @@ void test_tessellated(const double upper_radius, const double height, const int 
   assert(part == 1. && labels.surfaces.size() == 3);
 }
 
+// vertices that have been moved belong to a plane by a distance, but not by default
+void test_distance()
+{
+  using CGAL::Hermite_diffuse_remeshing::PLANE_SURFACE;
+  Mesh mesh;
+  const auto point = [](const std::size_t i, const std::size_t j)
+  { return Point_3(double(i), double(j), i % 8 * (j % 8) > 0 && (i + j) % 2 > 0 ? 0.01 : 0.); };
+  CGAL::make_grid(9, 9, mesh, point, true);
+  auto labels = get(CGAL::dynamic_face_property_t<std::size_t>(), mesh);
+  const auto surfaces = PMP::hermite_diffuse_classify_faces(mesh, labels, np::maximum_distance(0.02));
+  assert(surfaces.size() == 1 && surfaces[0].type == PLANE_SURFACE);
+  assert(PMP::hermite_diffuse_classify_faces(mesh, labels).size() > 1);
+  assert(is_refused([&] { PMP::hermite_diffuse_classify_faces(mesh, labels, np::maximum_distance(-1.)); }));
+}
+
 int main()
 {
   for(const double upper_radius : {1., 0.7})
@@ -264,5 +281,6 @@ int main()
   test_fillets(96, 0.);
   test_fillets(64, 1.);
   test_free_form();
+  test_distance();
   return 0;
 }

@@ -88,7 +88,8 @@ void test_archetype()
     assert(n.c[0] == m.x() && n.c[1] == m.y() && n.c[2] == m.z());
     assert(surface.principal_curvatures({f, l}) == expected.principal_curvatures({f, l}));
     const Principal k = surface.principal_curvatures_and_directions({f, l});
-    assert(k.maximum_curvature >= k.minimum_curvature);
+    assert(k.max_curvature > k.min_curvature);
+    assert(surface.principal_curvatures({f, l}) == std::make_pair(k.max_curvature, k.min_curvature));
     assert(surface.project(p).first != Surface_mesh::null_face());
     assert(surface.project(p, {f, l}) == expected.project(q, {f, l}));
     assert(surface.locate(p) == expected.locate(q));
@@ -96,15 +97,24 @@ void test_archetype()
 
   std::map<Surface_mesh::Vertex_index, double> mean;
   std::map<Surface_mesh::Vertex_index, double> gaussian;
-  PMP::hermite_diffuse_curvatures(mesh, np::mean_curvature_map(boost::make_assoc_property_map(mean))
-                                          .gaussian_curvature_map(boost::make_assoc_property_map(gaussian))
+  PMP::hermite_diffuse_curvatures(mesh, np::vertex_mean_curvature_map(boost::make_assoc_property_map(mean))
+                                          .vertex_Gaussian_curvature_map(boost::make_assoc_property_map(gaussian))
                                           .vertex_point_map(points).geom_traits(archetype::Traits()));
   double one = 0.;
   PMP::hermite_diffuse_curvatures(*mesh.vertices().begin(), mesh,
-                                  np::mean_curvature(std::ref(one)).vertex_point_map(points)
+                                  np::vertex_mean_curvature(std::ref(one)).vertex_point_map(points)
                                     .geom_traits(archetype::Traits()));
   assert(mean.size() == mesh.number_of_vertices() && gaussian.size() == mean.size());
   assert(std::abs(one - mean[*mesh.vertices().begin()]) < 1e-9);
+
+  std::map<Surface_mesh::Face_index, std::size_t> labels, expected_labels;
+  const auto shapes = PMP::hermite_diffuse_classify_faces(
+    mesh, boost::make_assoc_property_map(labels), np::vertex_point_map(points).geom_traits(archetype::Traits()));
+  const auto expected_shapes =
+    PMP::hermite_diffuse_classify_faces(mesh, boost::make_assoc_property_map(expected_labels));
+  assert(labels == expected_labels && shapes.size() == expected_shapes.size());
+  assert(shapes[0].number_of_faces == expected_shapes[0].number_of_faces);
+  assert(shapes[0].point.c[0] == expected_shapes[0].point.x() && shapes[0].radius == expected_shapes[0].radius);
 }
 
 // ---- memory
@@ -146,7 +156,7 @@ void test_threads()
   typedef CGAL::Hermite_diffuse_surface<Surface_mesh, Kernel, CGAL::Parallel_tag> Parallel_surface;
   const CGAL::Hermite_diffuse_surface<Surface_mesh> expected(mesh);
   auto expected_curvatures = get(CGAL::dynamic_vertex_property_t<Principal>(), mesh);
-  PMP::hermite_diffuse_curvatures(mesh, np::principal_curvatures_map(expected_curvatures));
+  PMP::hermite_diffuse_curvatures(mesh, np::vertex_principal_curvatures_and_directions_map(expected_curvatures));
   const Surface_mesh torus = make_mesh<Surface_mesh>(analytic::torus().mesh(2000, 1));
   auto expected_labels = get(CGAL::dynamic_face_property_t<std::size_t>(), torus);
   const auto expected_shapes = PMP::hermite_diffuse_classify_faces(torus, expected_labels);
@@ -165,12 +175,12 @@ void test_threads()
       assert(paper.point({f, l}) == expected_paper.point({f, l}));
     }
     auto curvatures = get(CGAL::dynamic_vertex_property_t<Principal>(), mesh);
-    PMP::hermite_diffuse_curvatures<CGAL::Parallel_tag>(mesh, np::principal_curvatures_map(curvatures));
+    PMP::hermite_diffuse_curvatures<CGAL::Parallel_tag>(mesh, np::vertex_principal_curvatures_and_directions_map(curvatures));
     for(const auto v : mesh.vertices())
     {
       const Principal k = get(curvatures, v), e = get(expected_curvatures, v);
-      assert(k.maximum_curvature == e.maximum_curvature && k.minimum_curvature == e.minimum_curvature);
-      assert(k.maximum_direction == e.maximum_direction);
+      assert(k.max_curvature == e.max_curvature && k.min_curvature == e.min_curvature);
+      assert(k.max_direction == e.max_direction);
     }
     auto labels = get(CGAL::dynamic_face_property_t<std::size_t>(), torus);
     const auto shapes = PMP::hermite_diffuse_classify_faces<CGAL::Parallel_tag>(torus, labels);

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_NAMED_PARAMETERS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_NAMED_PARAMETERS_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/compatibility.h>
+
 #include <CGAL/Named_function_parameters.h>
 
 #include <type_traits>
@@ -17,6 +19,36 @@
 // A chain started by one of ours takes both kinds in any order; a chain started by a name of
 // CGAL takes names of CGAL only, because `Named_function_parameters` has a closed list.
 // tag type, tag, function
+
+// those that only later versions of CGAL have
+#define CGAL_HDR_DISTANCE_PARAMETERS(ADD)                                         \
+  ADD(maximum_distance_t, maximum_distance, maximum_distance)
+#define CGAL_HDR_CURVATURE_PARAMETERS(ADD)                                        \
+  ADD(vertex_mean_curvature_map_t, vertex_mean_curvature_map, vertex_mean_curvature_map) \
+  ADD(vertex_Gaussian_curvature_map_t, vertex_Gaussian_curvature_map, vertex_Gaussian_curvature_map) \
+  ADD(vertex_principal_curvatures_and_directions_map_t, vertex_principal_curvatures_and_directions_map, \
+      vertex_principal_curvatures_and_directions_map)                            \
+  ADD(vertex_mean_curvature_t, vertex_mean_curvature, vertex_mean_curvature)     \
+  ADD(vertex_Gaussian_curvature_t, vertex_Gaussian_curvature, vertex_Gaussian_curvature) \
+  ADD(vertex_principal_curvatures_and_directions_t, vertex_principal_curvatures_and_directions, \
+      vertex_principal_curvatures_and_directions)
+
+#ifdef CGAL_HDR_HAS_MAXIMUM_DISTANCE
+#define CGAL_HDR_OWN_DISTANCE_PARAMETERS(ADD)
+#define CGAL_HDR_SHARED_DISTANCE_PARAMETERS(ADD) CGAL_HDR_DISTANCE_PARAMETERS(ADD)
+#else
+#define CGAL_HDR_OWN_DISTANCE_PARAMETERS(ADD) CGAL_HDR_DISTANCE_PARAMETERS(ADD)
+#define CGAL_HDR_SHARED_DISTANCE_PARAMETERS(ADD)
+#endif
+
+#ifdef CGAL_HDR_HAS_CURVATURE_PARAMETERS
+#define CGAL_HDR_OWN_CURVATURE_PARAMETERS(ADD)
+#define CGAL_HDR_SHARED_CURVATURE_PARAMETERS(ADD) CGAL_HDR_CURVATURE_PARAMETERS(ADD)
+#else
+#define CGAL_HDR_OWN_CURVATURE_PARAMETERS(ADD) CGAL_HDR_CURVATURE_PARAMETERS(ADD)
+#define CGAL_HDR_SHARED_CURVATURE_PARAMETERS(ADD)
+#endif
+
 #define CGAL_HDR_OWN_PARAMETERS(ADD)                                              \
   ADD(approximation_error_t, approximation_error, approximation_error)           \
   ADD(maximum_deviation_t, maximum_deviation, maximum_deviation)                 \
@@ -36,18 +68,14 @@
   ADD(vertex_size_map_t, vertex_size_map, vertex_size_map)                       \
   ADD(face_deviation_map_t, face_deviation_map, face_deviation_map)              \
   ADD(surface_model_t, surface_model, surface_model)                             \
-  ADD(mean_curvature_map_t, mean_curvature_map, mean_curvature_map)              \
-  ADD(gaussian_curvature_map_t, gaussian_curvature_map, gaussian_curvature_map)  \
-  ADD(principal_curvatures_map_t, principal_curvatures_map, principal_curvatures_map) \
-  ADD(mean_curvature_t, mean_curvature, mean_curvature)                          \
-  ADD(gaussian_curvature_t, gaussian_curvature, gaussian_curvature)              \
-  ADD(principal_curvatures_t, principal_curvatures, principal_curvatures)        \
   ADD(sagitta_t, sagitta, sagitta)                                               \
   ADD(elements_per_circle_t, elements_per_circle, elements_per_circle)           \
   ADD(angle_per_element_t, angle_per_element, angle_per_element)                 \
   ADD(sagitta_over_length_t, sagitta_over_length, sagitta_over_length)           \
   ADD(edge_policy_map_t, edge_policy_map, edge_policy_map)                       \
-  ADD(edge_class_map_t, edge_class_map, edge_class_map)
+  ADD(edge_class_map_t, edge_class_map, edge_class_map)                          \
+  CGAL_HDR_OWN_DISTANCE_PARAMETERS(ADD)                                          \
+  CGAL_HDR_OWN_CURVATURE_PARAMETERS(ADD)
 
 #define CGAL_HDR_SHARED_PARAMETERS(ADD)                                           \
   ADD(geom_traits_t, geom_traits, geom_traits)                                   \
@@ -61,7 +89,9 @@
   ADD(maximum_number_of_faces_t, maximum_number_of_faces, maximum_number_of_faces) \
   ADD(maximum_running_time_t, maximum_running_time, maximum_running_time)          \
   ADD(number_of_iterations_t, number_of_iterations, number_of_iterations)        \
-  ADD(visitor_t, visitor, visitor)
+  ADD(visitor_t, visitor, visitor)                                               \
+  CGAL_HDR_SHARED_DISTANCE_PARAMETERS(ADD)                                       \
+  CGAL_HDR_SHARED_CURVATURE_PARAMETERS(ADD)
 
 namespace CGAL {
 namespace internal_np {
@@ -134,5 +164,11 @@ CGAL_HDR_OWN_PARAMETERS(CGAL_HDR_START)
 
 #undef CGAL_HDR_OWN_PARAMETERS
 #undef CGAL_HDR_SHARED_PARAMETERS
+#undef CGAL_HDR_OWN_DISTANCE_PARAMETERS
+#undef CGAL_HDR_SHARED_DISTANCE_PARAMETERS
+#undef CGAL_HDR_DISTANCE_PARAMETERS
+#undef CGAL_HDR_OWN_CURVATURE_PARAMETERS
+#undef CGAL_HDR_SHARED_CURVATURE_PARAMETERS
+#undef CGAL_HDR_CURVATURE_PARAMETERS
 
 #endif // CGAL_HERMITE_DIFFUSE_REMESHING_NAMED_PARAMETERS_H

@@ -11,7 +11,6 @@
 
 #include <CGAL/Hermite_diffuse_size_map.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/compatibility.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -116,7 +115,8 @@ public:
   Point_3 split_placement(const halfedge_descriptor h, const TriangleMesh& tmesh) const
   {
     const Vector middle = (point(source(h, tmesh)) + point(target(h, tmesh))) / 2.;
-    return m_traits.construct_point_3_object()(FT(middle[0]), FT(middle[1]), FT(middle[2]));
+    const typename GeomTraits::Construct_point_3 construct_point = m_traits.construct_point_3_object();
+    return construct_point(FT(middle[0]), FT(middle[1]), FT(middle[2]));
   }
 
   /// does nothing: the sizes are known everywhere.

@@ -34,7 +34,7 @@ namespace Polygon_mesh_processing {
  *
  * Meant for meshes whose vertices lie on the surfaces, such as tessellations of CAD models: a vertex
  * belongs to a curved surface if it is closer to it than a small part of the height of the
- * facets, 0.004 of the square of the shortest edge around it times the curvature, or than `maximum_deviation`.
+ * facets, 0.004 of the square of the shortest edge around it times the curvature, or than `maximum_distance`.
  *
  * Takes time proportional to the number of faces for each shape, but for a logarithmic factor, and time proportional to the
  * square of the number of faces around a vertex.
@@ -52,9 +52,9 @@ namespace Polygon_mesh_processing {
  * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{maximum_deviation}
- *     \cgalParamDescription{distance of a vertex to a surface that it belongs to in any case: how far the
- *       coordinates are rounded}
+ *   \cgalParamNBegin{maximum_distance}
+ *     \cgalParamDescription{a vertex that is not farther from a surface than this belongs to it in any case: how far
+ *       the coordinates are rounded}
  *     \cgalParamType{`double`, a length, at least 0}
  *     \cgalParamDefault{1e-6 of the diameter of the mesh, enough for coordinates in single precision}
  *   \cgalParamNEnd
@@ -99,26 +99,22 @@ auto hermite_diffuse_classify_faces(const TriangleMesh& tmesh, const FaceLabelMa
 
   const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
   constexpr double rounding = 1e-6;
-  const double tolerance = choose_parameter(get_parameter(pack, internal_np::maximum_deviation),
+  const double tolerance = choose_parameter(get_parameter(pack, internal_np::maximum_distance),
                                             rounding * model_diameter(input.triangles));
-  check_parameter("maximum_deviation", tolerance, 0., (std::numeric_limits<double>::max)());
+  check_parameter("maximum_distance", tolerance, 0., (std::numeric_limits<double>::max)());
   const std::unique_ptr<Input_surface> model = read_model<ConcurrencyTag, Input_surface>(input, pack);
 
   Shape_recognizer recognize(model->surface, tolerance);
   recognize();
-  const auto point = input.traits.construct_point_3_object();
-  const auto vector = input.traits.construct_vector_3_object();
+  const typename GT::Construct_point_3 point = input.traits.construct_point_3_object();
+  const typename GT::Construct_vector_3 vector = input.traits.construct_vector_3_object();
   std::vector<Hermite_diffuse_remeshing::Basic_surface<GT> > result;
   for(const Basic_shape& shape : recognize.shapes())
   {
-    Hermite_diffuse_remeshing::Basic_surface<GT> surface;
-    surface.type = shape.type;
-    surface.point = point(FT(shape.point[0]), FT(shape.point[1]), FT(shape.point[2]));
-    surface.direction = vector(FT(shape.direction[0]), FT(shape.direction[1]), FT(shape.direction[2]));
-    surface.radius = FT(shape.radius);
-    surface.tube_radius = FT(shape.tube_radius);
-    surface.half_angle = FT(shape.half_angle);
-    result.push_back(surface);
+    // points of the traits need no default constructor
+    result.push_back({shape.type, point(FT(shape.point[0]), FT(shape.point[1]), FT(shape.point[2])),
+                      vector(FT(shape.direction[0]), FT(shape.direction[1]), FT(shape.direction[2])),
+                      FT(shape.radius), FT(shape.tube_radius), FT(shape.half_angle), 0});
   }
   for(std::size_t f = 0; f < input.face_descriptors.size(); ++f)
   {

@@ -33,22 +33,21 @@ inline void keep_larger(Principal_curvatures& of_vertex, const Principal_curvatu
     of_vertex = of_node;
 }
 
-template <typename GeomTraits>
-Principal_curvatures_and_directions<GeomTraits> to_public(const Principal_curvatures& k, const GeomTraits& traits)
+// The class of this package and that of CGAL 6, which users may have in their maps, have the same members.
+template <typename Result, typename GeomTraits>
+Result convert(const Principal_curvatures_and_directions<GeomTraits>& k)
 {
-  typedef typename GeomTraits::FT FT;
-  const auto vector = traits.construct_vector_3_object();
-  Principal_curvatures_and_directions<GeomTraits> result;
-  result.maximum_curvature = FT(k.maximum);
-  result.minimum_curvature = FT(k.minimum);
-  result.maximum_direction = vector(FT(k.maximum_direction[0]), FT(k.maximum_direction[1]), FT(k.maximum_direction[2]));
-  result.minimum_direction = vector(FT(k.minimum_direction[0]), FT(k.minimum_direction[1]), FT(k.minimum_direction[2]));
-  return result;
+  return Result{k.min_curvature, k.max_curvature, k.min_direction, k.max_direction};
 }
 
 // to the variable that the user refers to, if he does
-template <typename Value>
-void assign(const std::reference_wrapper<Value> variable, const Value& value) { variable.get() = value; }
+template <typename Variable, typename FT>
+void assign(const std::reference_wrapper<Variable> variable, const FT value) { variable.get() = value; }
+template <typename Variable, typename GeomTraits>
+void assign(const std::reference_wrapper<Variable> variable, const Principal_curvatures_and_directions<GeomTraits>& k)
+{
+  variable.get() = convert<Variable>(k);
+}
 template <typename Value>
 void assign(const internal_np::Param_not_found&, const Value&) {}
 
@@ -63,9 +62,12 @@ namespace Polygon_mesh_processing {
  * computes curvatures at all vertices of a triangle mesh: by a polynomial of degree 4 that is fitted, at
  * each vertex, to the positions and estimated normals of two rings of neighbors, three at a border.
  * The fit stays on its side of every sharp edge, border and user feature; at a vertex with
- * several sides the curvature of the side that bends most is written. A curvature is negative where the
+ * several sides the curvature of the side that bends most is written. A curvature is positive where the
  * surface bends away from its normal: both are on a sphere with outward normals. At the tip of a
  * cone, which has none, and at isolated vertices the curvatures are zero.
+ *
+ * The maps, and the sign of what is written to them, are those of `interpolated_corrected_curvatures()` of \cgal 6: one
+ * function may take the place of the other.
  *
  * On irregular meshes whose vertices lie on a smooth surface the error decreases at least with the square of the
  * edge length. With vertices that do not, `normal_estimation(SMOOTH_NORMALS)` averages normals over
@@ -75,7 +77,8 @@ namespace Polygon_mesh_processing {
  * square of the number of faces around a vertex.
  *
  * A chain of parameters that begins with one of this package's own takes these and those of \cgal in any order; one that
- * begins with one of \cgal's takes only those of \cgal.
+ * begins with one of \cgal's takes only those of \cgal. From version 6 on, \cgal has the maps of curvatures, too: in a
+ * program for all versions another one comes before them, or only parameters of \cgal behind.
  *
  * @tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`
  *         (the default), `Parallel_tag` and `Parallel_if_available_tag`. The values are the same, to the last
@@ -88,21 +91,22 @@ namespace Polygon_mesh_processing {
  *        `GT` stands for the type of the object given by `geom_traits`.
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{mean_curvature_map}
+ *   \cgalParamNBegin{vertex_mean_curvature_map}
  *     \cgalParamDescription{output: mean curvatures, half the sum of the principal ones, in one over the unit
  *       of length}
  *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type `GT::FT`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{gaussian_curvature_map}
+ *   \cgalParamNBegin{vertex_Gaussian_curvature_map}
  *     \cgalParamDescription{output: Gaussian curvatures, the product of the principal ones}
  *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type `GT::FT`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{principal_curvatures_map}
+ *   \cgalParamNBegin{vertex_principal_curvatures_and_directions_map}
  *     \cgalParamDescription{output: principal curvatures and directions}
  *     \cgalParamType{a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
- *       `CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT>`}
+ *       `CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT>`, or the class of the same name in
+ *       `CGAL::Polygon_mesh_processing` of \cgal 6}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{normal_estimation}
@@ -156,13 +160,15 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
   const Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
   const std::unique_ptr<Input_surface> model = read_model<ConcurrencyTag, Input_surface>(input, pack);
 
-  const auto mean = choose_parameter(get_parameter(pack, internal_np::mean_curvature_map),
+  const auto mean = choose_parameter(get_parameter(pack, internal_np::vertex_mean_curvature_map),
                                      Constant_property_map<vertex_descriptor, FT>());
-  const auto gaussian = choose_parameter(get_parameter(pack, internal_np::gaussian_curvature_map),
+  const auto gaussian = choose_parameter(get_parameter(pack, internal_np::vertex_Gaussian_curvature_map),
                                          Constant_property_map<vertex_descriptor, FT>());
   typedef Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT> Principal;
-  const auto principal = choose_parameter(get_parameter(pack, internal_np::principal_curvatures_map),
-                                          Constant_property_map<vertex_descriptor, Principal>());
+  const auto principal =
+    choose_parameter(get_parameter(pack, internal_np::vertex_principal_curvatures_and_directions_map),
+                     Constant_property_map<vertex_descriptor, Principal>());
+  typedef typename boost::property_traits<std::decay_t<decltype(principal)> >::value_type User_principal;
   const Cut_mesh& cut_mesh = model->surface.cut_mesh();
   std::vector<Principal_curvatures> of_nodes(cut_mesh.number_of_nodes());
   for_each_index(cut_mesh.number_of_nodes(), is_parallel<ConcurrencyTag>(), [&]
@@ -178,8 +184,8 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
     const vertex_descriptor v = input.vertex_descriptors[i];
     const Principal k = to_public(curvatures[i], input.traits);
     put(mean, v, k.mean_curvature());
-    put(gaussian, v, k.gaussian_curvature());
-    put(principal, v, k);
+    put(gaussian, v, k.Gaussian_curvature());
+    put(principal, v, convert<User_principal>(k));
   }
 }
 
@@ -191,31 +197,42 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
  *
  * Takes time proportional to the number of faces within eight edges of the vertex.
  *
+ * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
  * @param v the vertex
  * @param tmesh the mesh
- * @param np a sequence of \ref bgl_namedparameters "Named Parameters": those of the function for all vertices but its
- *        maps, instead of which the results are assigned to variables
+ * @param np a sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below. `GT` stands for the
+ *        type of the object given by `geom_traits`.
  *
  * \cgalNamedParamsBegin
- *   \cgalParamNBegin{mean_curvature}
+ *   \cgalParamNBegin{vertex_mean_curvature}
  *     \cgalParamDescription{the variable for the mean curvature\, given by `std::ref`}
  *     \cgalParamType{`GT::FT`}
  *     \cgalParamDefault{the result is not wanted}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{gaussian_curvature}
+ *   \cgalParamNBegin{vertex_Gaussian_curvature}
  *     \cgalParamDescription{the variable for the Gaussian curvature\, given by `std::ref`}
  *     \cgalParamType{`GT::FT`}
  *     \cgalParamDefault{the result is not wanted}
  *   \cgalParamNEnd
- *   \cgalParamNBegin{principal_curvatures}
+ *   \cgalParamNBegin{vertex_principal_curvatures_and_directions}
  *     \cgalParamDescription{the variable for the principal curvatures and their directions\, given by `std::ref`}
- *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT>`}
+ *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Principal_curvatures_and_directions<GT>`, or the class of the
+ *       same name in `CGAL::Polygon_mesh_processing` of \cgal 6}
  *     \cgalParamDefault{the result is not wanted}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map,
+ *     edge_policy_map, vertex_is_constrained_map, face_patch_map, normal_estimation, vertex_normal_map, hermite_weight,
+ *     surface_model, vertex_point_map, geom_traits}
+ *     \cgalParamDescription{as for all vertices}
  *   \cgalParamNEnd
  * \cgalNamedParamsEnd
  *
  * \throw std::invalid_argument if a face around the vertex is not a triangle or has a coordinate that is
  *        not finite, or if a parameter is out of its range
+ *
+ * @sa `CGAL::Hermite_diffuse_surface`
  */
 template <typename TriangleMesh, typename NamedParameters>
 void hermite_diffuse_curvatures(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
@@ -240,9 +257,9 @@ void hermite_diffuse_curvatures(const typename boost::graph_traits<TriangleMesh>
         keep_larger(k, fitter(i).principal_curvatures());
   }
   const auto result = to_public(k, input.traits);
-  assign(get_parameter(pack, internal_np::mean_curvature), result.mean_curvature());
-  assign(get_parameter(pack, internal_np::gaussian_curvature), result.gaussian_curvature());
-  assign(get_parameter(pack, internal_np::principal_curvatures), result);
+  assign(get_parameter(pack, internal_np::vertex_mean_curvature), result.mean_curvature());
+  assign(get_parameter(pack, internal_np::vertex_Gaussian_curvature), result.Gaussian_curvature());
+  assign(get_parameter(pack, internal_np::vertex_principal_curvatures_and_directions), result);
 }
 
 } // namespace Polygon_mesh_processing

@@ -9,11 +9,12 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_COMPATIBILITY_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_COMPATIBILITY_H
 
-#include <CGAL/version.h>
-
-// isotropic_remeshing() takes a model of PMPSizingField
-#if CGAL_VERSION_NR >= 1060001000
-#define CGAL_HDR_HAS_PMP_SIZING_FIELD
+// Named parameters that CGAL has got with functions of later versions than the oldest that is supported: 5.6 and 6.0
+#if __has_include(<CGAL/Polygon_mesh_processing/region_growing.h>)
+#define CGAL_HDR_HAS_MAXIMUM_DISTANCE
+#endif
+#if __has_include(<CGAL/Polygon_mesh_processing/interpolated_corrected_curvatures.h>)
+#define CGAL_HDR_HAS_CURVATURE_PARAMETERS
 #endif
 
 #endif // CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_COMPATIBILITY_H
