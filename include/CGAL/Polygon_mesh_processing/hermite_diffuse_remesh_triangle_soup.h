@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Supervisor.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/run_stages.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -35,7 +37,13 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// What the user says of the edges of a soup. His maps have pairs of indices as keys, the smaller one first.
+// The edges of a soup are pairs of indices, the smaller one first.
+inline std::pair<std::size_t, std::size_t> edge_of_soup(const std::size_t a, const std::size_t b)
+{
+  return std::minmax({a, b});
+}
+
+// What the user says of the edges of a soup.
 template <typename FacePatchMap, typename Pack>
 Side_marks read_soup_marks(const Indexed_triangles& surface, const FacePatchMap& labels, const Pack& pack)
 {
@@ -50,7 +58,7 @@ Side_marks read_soup_marks(const Indexed_triangles& surface, const FacePatchMap&
   Side_marks result(surface.number_of_faces());
   for(int e = 0; e < edges.number_of_edges(); ++e)
   {
-    const Edge edge(edges.vertices(e)[0], edges.vertices(e)[1]);
+    const Edge edge = edge_of_soup(edges.vertices(e)[0], edges.vertices(e)[1]);
     const bool is_between_patches = edges.number_of_sides(e) == 2
       && get(labels, std::size_t(edges.side(e, 0).face)) != get(labels, std::size_t(edges.side(e, 1).face));
     for(int i = 0; i < edges.number_of_sides(e); ++i)
@@ -131,6 +139,13 @@ void write_soup(const Mesh& mesh, const std::vector<Deviation>& deviations, cons
     new_triangles.push_back(triangle);
     put(origin_map, i, std::size_t(mesh.face_of_reference(f)));
   }
+  if constexpr(is_given<Pack, internal_np::edge_class_map_t>())
+    for(const auto e : edges(tm))
+    {
+      const auto h = halfedge(e, tm);
+      put(get_parameter(pack, internal_np::edge_class_map),
+          edge_of_soup(rank[mesh.index(source(h, tm))], rank[mesh.index(target(h, tm))]), mesh.edge_class(h));
+    }
   for(const Deviation& entry : deviations)
     put(deviation_map, rank_of_face[std::size_t(entry.face)], entry.deviation);
   typedef typename Mesh::face_descriptor face_descriptor;
@@ -159,9 +174,9 @@ namespace Polygon_mesh_processing {
  * remeshes a soup of triangles, which may be non-manifold: edges with any number of triangles, vertices where sheets
  * touch, open and closed parts, triangles that are not coherently oriented, sheets that cannot be oriented. Apart
  * from that it does the same as `hermite_diffuse_remesh()`, but for degenerate and folded triangles, which it does not repair:
- * `CGAL::Polygon_mesh_processing::repair_polygon_soup()` removes some of them. The report's counts of these, and of isolated
- * and coincident points, stay 0; `vertex_normal_map` and `edge_class_map` are not used. Of a map of labels, entries beyond
- * the triangles of the result are left as they are.
+ * `CGAL::Polygon_mesh_processing::repair_polygon_soup()` removes some of them. The report's counts of these, and of
+ * isolated and coincident points, stay 0. Of a map of labels, entries beyond the triangles of the result are left as they
+ * are.
  *
  * The soup is cut into sheets along its non-manifold edges. These edges, the junctions, are feature edges: they form
  * curves between corners, each with one spline and one sampling, which all its sheets share. They are split,
@@ -220,6 +235,12 @@ namespace Polygon_mesh_processing {
  *     \cgalParamType{a model of `ReadablePropertyMap` with key type `std::size_t` and value type `bool`}
  *     \cgalParamDefault{no point}
  *   \cgalParamNEnd
+ *   \cgalParamNBegin{vertex_normal_map}
+ *     \cgalParamDescription{normals that the user knows; they replace the estimated ones. A zero vector means unknown. At a
+ *       point where several sheets meet, a normal is used for those that it is nearly normal to.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `std::size_t` and value type `GeomTraits::Vector_3`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
  *     \cgalParamDescription{is told about stages and operations and may stop the remeshing. The elements that it
  *       is given are those of the mesh of the sheets; an operation at a junction is reported once per sheet.}
@@ -232,6 +253,13 @@ namespace Polygon_mesh_processing {
  *       keys. A location is the index of a triangle of the input and the coordinates with respect to its corners. A point
  *       without a triangle has none before the first change.}
  *     \cgalParamType{models of `WritablePropertyMap` with key type `std::size_t`}
+ *     \cgalParamDefault{none}
+ *   \cgalParamNEnd
+ *   \cgalParamNBegin{edge_class_map}
+ *     \cgalParamDescription{output: what an edge of the result is a piece of; the junctions are the edges of class
+ *       `CGAL::Hermite_diffuse_remeshing::NON_MANIFOLD_EDGE`}
+ *     \cgalParamType{a model of `WritablePropertyMap` with key type `std::pair<std::size_t, std::size_t>`, the indices
+ *       of the ends with the smaller one first, and value type `CGAL::Hermite_diffuse_remeshing::Edge_class`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{geom_traits}
@@ -293,8 +321,10 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   Model_options model_options = read_model_options(pack);
   model_options.is_parallel = is_parallel<ConcurrencyTag>();
   Indexed_triangles surface = read_soup(points, triangles, gt);
-  std::vector<std::size_t> triangle_indices(surface.number_of_faces());
+  std::vector<std::size_t> triangle_indices(surface.number_of_faces()), point_indices(surface.points.size());
   std::iota(triangle_indices.begin(), triangle_indices.end(), std::size_t(0));
+  std::iota(point_indices.begin(), point_indices.end(), std::size_t(0));
+  const std::vector<Vector> vertex_normals = read_vertex_normals(point_indices, gt, pack);
   Size_options size_options = read_size_options(pack, gt, surface, triangle_indices);
 
   const std::vector<char> is_turned = orient_sheets(surface);
@@ -332,7 +362,7 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
       return make_model<Input_model>(surface, feature_options, model_options,
                                      [&](const int f, const int side) { return marks[f][side]; },
                                      [&](const int v) -> bool { return get(vcm, std::size_t(v)); },
-                                     std::vector<Vector>(), watched.progress_of_stage());
+                                     vertex_normals, watched.progress_of_stage());
     },
     [] {},
     [&](const auto& working_mesh, const auto& deviations)

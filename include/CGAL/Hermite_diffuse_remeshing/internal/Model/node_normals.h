@@ -85,7 +85,7 @@ inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std:
 }
 
 // The normal that the user gives for a vertex, on the side of a node. A vertex on a feature has several
-// sides and one normal: it belongs to those whose faces it is nearly normal to.
+// sides and one normal: it belongs to those whose faces it is nearly normal to, whichever of their sides it is on.
 inline Vector given_normal(const std::vector<Vector>& vertex_normals, const Cut_mesh& cut_mesh, const int node,
                            const Vector& fan_normal)
 {
@@ -93,7 +93,10 @@ inline Vector given_normal(const std::vector<Vector>& vertex_normals, const Cut_
   if(vertex_normals.empty())
     return Vector::Zero();
   const Vector& normal = vertex_normals[cut_mesh.vertex(node)];
-  return normal.dot(fan_normal) >= least_cosine ? normal : Vector(Vector::Zero());
+  const double cosine = normal.dot(fan_normal);
+  if(std::abs(cosine) < least_cosine)
+    return Vector::Zero();
+  return cosine > 0. ? normal : Vector(-normal);
 }
 
 // Sets the normals of tangent nodes, and fits those of the nodes near them anew, on their side of the lines alone.
