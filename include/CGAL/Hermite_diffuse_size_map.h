@@ -76,10 +76,30 @@ public:
   /*!
    * computes the sizes on a mesh.
    *
+   * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+   *
    * @param tmesh the mesh, which is not changed
-   * @param np an optional sequence of the named parameters of
-   *        `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`; those that concern neither the model
-   *        nor the sizes are not read
+   * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+   *
+   * \cgalNamedParamsBegin
+   *   \cgalParamNBegin{approximation_error, sagitta, elements_per_circle, angle_per_element, sagitta_over_length,
+   *     maximum_deviation, minimum_edge_length, maximum_edge_length, size_field, gradation, maximum_number_of_faces,
+   *     sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map, edge_policy_map,
+   *     vertex_is_constrained_map, protect_constraints, face_patch_map, maximum_displacement, polynomial_degree,
+   *     hermite_weight, normal_estimation, surface_model, vertex_normal_map}
+   *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, but maps are only read}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{vertex_point_map}
+   *     \cgalParamDescription{the points of the vertices}
+   *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type `Point_3`}
+   *     \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+   *   \cgalParamNEnd
+   *   \cgalParamNBegin{geom_traits}
+   *     \cgalParamDescription{an instance of the geometric traits class}
+   *     \cgalParamType{`Geom_traits`}
+   *     \cgalParamDefault{`Geom_traits()`}
+   *   \cgalParamNEnd
+   * \cgalNamedParamsEnd
    *
    * Degenerate and folded faces are taken as they are: the remeshing, which repairs them, may find other sizes near by.
    *

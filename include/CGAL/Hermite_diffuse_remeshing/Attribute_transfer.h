@@ -60,6 +60,10 @@ bool is_seam(const typename boost::graph_traits<TriangleMesh>::halfedge_descript
  *         compared for equality: the value of the face of the halfedge at its target
  * @tparam EdgeIsConstrainedMap a model of `WritablePropertyMap` with key type `edge_descriptor` and value type `bool`
  *
+ * @param tmesh the mesh
+ * @param values the property of the corners
+ * @param edge_is_constrained output: `true` at the edges where it jumps
+ *
  * @sa `Attribute_transfer`
  */
 template <typename TriangleMesh, typename CornerMap, typename EdgeIsConstrainedMap>
@@ -163,8 +167,15 @@ public:
     });
   }
 
-  /// copies a property of any type from the vertices: of the corners of the face that a vertex lies on, the one with
-  /// the largest barycentric coordinate counts.
+  /*!
+   * copies a property of any type from the vertices: of the corners of the face that a vertex lies on, the one with
+   * the largest barycentric coordinate counts.
+   *
+   * @tparam InputMap a model of `ReadablePropertyMap` with the vertices of the input as keys
+   * @tparam OutputMap a model of `WritablePropertyMap` with the vertices of the output as keys, and the same values
+   *
+   * Takes time proportional to the number of vertices of the output.
+   */
   template <typename InputMap, typename OutputMap>
   void transfer_vertex_labels(const InputMap& from, OutputMap to) const
   {
@@ -176,9 +187,16 @@ public:
     });
   }
 
-  /// copies a property of any type from the faces: of the face that the centroid lies on. If the borders between
-  /// different labels shall stay where they are, they must be features: give the labels to the remeshing as
-  /// `face_patch_map`, too.
+  /*!
+   * copies a property of any type from the faces: of the face that the centroid lies on. If the borders between
+   * different labels shall stay where they are, they must be features: give the labels to the remeshing as
+   * `face_patch_map`, too.
+   *
+   * @tparam InputMap a model of `ReadablePropertyMap` with the faces of the input as keys
+   * @tparam OutputMap a model of `WritablePropertyMap` with the faces of the output as keys, and the same values
+   *
+   * Takes time proportional to the number of faces of the output.
+   */
   template <typename InputMap, typename OutputMap>
   void transfer_face_values(const InputMap& from, OutputMap to) const
   {

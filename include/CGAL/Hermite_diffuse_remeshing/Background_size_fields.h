@@ -65,7 +65,11 @@ public:
   /*!
    * copies points and their sizes.
    *
-   * @tparam SizedPointRange a range of pairs of `GeomTraits::Point_3` and a type convertible to `double`
+   * @tparam SizedPointRange a model of `ConstRange`, the value type of which is a pair of `GeomTraits::Point_3` and a
+   *         type convertible to `double`
+   *
+   * @param sized_points the points and their sizes, lengths larger than 0
+   * @param traits an instance of the geometric traits class
    *
    * \throw std::invalid_argument if there is no point, a coordinate that is not finite, or a size that is
    *        not larger than 0 or not finite
@@ -162,7 +166,10 @@ public:
    * @tparam VertexSizeMap a model of `ReadablePropertyMap` with key type `vertex_descriptor` and a value type
    *         convertible to `double`
    *
-   * Where a size is infinite, and in the faces around, there is no wish.
+   * @param background the mesh
+   * @param sizes the sizes of its vertices, lengths larger than 0. Where one is infinite, and in the faces around, there is
+   *        no wish.
+   * @param traits an instance of the geometric traits class
    *
    * \throw std::invalid_argument if the background has no face, a face that is not a triangle, a coordinate
    *        that is not finite, or a size that is not larger than 0

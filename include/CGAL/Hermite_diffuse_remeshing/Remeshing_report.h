@@ -247,6 +247,7 @@ struct Remeshing_report
 
   /// \name Classification
   /// @{
+
   /// of the input, those of the user included, and the vertices at which closed curves are cut: more than
   /// `hermite_diffuse_classify_features()` finds
   std::size_t number_of_corners = 0;

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_SIZE_FIELDS_H
 
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/use.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -80,8 +81,8 @@ class Vertex_size_field
   VertexSizeMap m_sizes;
 
 public:
-  /// refers to a mesh, which must be the one that is remeshed, and to the sizes of its vertices, which are
-  /// lengths larger than 0.
+  /// @param tmesh the mesh that will be remeshed, which is referred to
+  /// @param sizes the sizes of its vertices, lengths larger than 0
   Vertex_size_field(const TriangleMesh& tmesh, const VertexSizeMap& sizes) : m_tmesh(&tmesh), m_sizes(sizes) {}
 
   /// returns the interpolated size, in constant time.
@@ -120,8 +121,9 @@ class Face_size_field
   FaceSizeMap m_sizes;
 
 public:
-  /// refers to the sizes of the faces of the mesh that is remeshed, which are lengths larger than 0.
-  Face_size_field(const TriangleMesh&, const FaceSizeMap& sizes) : m_sizes(sizes) {}
+  /// @param tmesh the mesh that will be remeshed
+  /// @param sizes the sizes of its faces, lengths larger than 0
+  Face_size_field(const TriangleMesh& tmesh, const FaceSizeMap& sizes) : m_sizes(sizes) { CGAL_USE(tmesh); }
 
   /// returns the size of the face, in constant time.
   template <typename Point, typename FT>
@@ -148,7 +150,7 @@ class Minimum_size_field
   std::tuple<SizeFields...> m_fields;
 
 public:
-  /// copies the fields.
+  /// @param fields the fields, which are copied
   explicit Minimum_size_field(const SizeFields&... fields) : m_fields(fields...) {}
 
   /// returns the smallest of the sizes.
@@ -168,7 +170,11 @@ public:
 /*!
  * \ingroup PkgHermiteDiffuseRemeshingRef
  *
- * returns a field whose size is the smallest of the sizes of `fields`, which it copies.
+ * returns a field whose size is the smallest of the sizes of several fields.
+ *
+ * @tparam SizeFields models of `HermiteDiffuseSizeField`
+ *
+ * @param fields the fields, which are copied
  */
 template <typename... SizeFields>
 Minimum_size_field<SizeFields...> minimum_size_field(const SizeFields&... fields)

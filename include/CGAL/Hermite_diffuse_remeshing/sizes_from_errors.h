@@ -121,6 +121,7 @@ void write_sizes(const TriangleMesh& tmesh, const FaceErrorMap& error_map, const
  *         convertible to `double`
  * @tparam VertexSizeMap a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
  *         `double`
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * @param tmesh the mesh of the computation
  * @param errors errors of the elements, not negative, in any unit
@@ -129,7 +130,7 @@ void write_sizes(const TriangleMesh& tmesh, const FaceErrorMap& error_map, const
  * @param number_of_elements larger than 0, finite
  * @param sizes output: lengths, to be used with `Vertex_size_field`, or with `Background_size_field` if another
  *        mesh of the surface is remeshed
- * @param np an optional sequence of \ref bgl_namedparameters "named parameters" among the ones listed below
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
  * \cgalNamedParamsBegin
  *   \cgalParamNBegin{vertex_point_map}
@@ -166,13 +167,23 @@ void sizes_for_number_of_elements(const TriangleMesh& tmesh, const FaceErrorMap&
  * has about the error `target_error`, the root of the sum of the squares of the errors of its elements, with
  * as few elements as possible. See `sizes_for_number_of_elements()`.
  *
+ * Takes time proportional to the number of faces.
+ *
+ * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam FaceErrorMap a model of `ReadablePropertyMap` with key type `face_descriptor` and a value type
+ *         convertible to `double`
+ * @tparam VertexSizeMap a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
+ *         `double`
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
  * @param tmesh the mesh of the computation
  * @param errors errors of the elements, not negative, in any unit
  * @param order \f$ p \f$: the error at a point goes with this power of the size; 1 for the gradient of linear
  *        elements
  * @param target_error larger than 0, in the unit of `errors`
  * @param sizes output: lengths
- * @param np named parameters as for `sizes_for_number_of_elements()`
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of
+ *        `sizes_for_number_of_elements()`
  *
  * \throw std::invalid_argument if an argument is out of its range, an error or a coordinate is not finite, or a face
  *        is no triangle

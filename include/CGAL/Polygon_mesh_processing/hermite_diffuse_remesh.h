@@ -35,16 +35,15 @@ namespace Polygon_mesh_processing {
  * does, new ones may take their places.
  *
  * Time is proportional to the number of faces of the input and of the result, but for a factor
- * logarithmic in the former; a vertex with very many faces, such as the center of a fan, takes the square of their number.
- * The result depends on the input and the parameters only, and scaling, rotating or translating the input does the same to
- * it.
+ * logarithmic in the former; a vertex with very many faces, such as the center of a fan, takes the square of their
+ * number. The result depends on the input and the parameters only, and scaling, rotating or translating the input does
+ * the same to it.
  *
  * A chain of parameters that begins with one of this package's own (`approximation_error` and the others that \cgal does
- * not have) takes these and those of \cgal in any order; one that begins with one of \cgal's takes only those of \cgal.
- * \cgal has
- * `maximum_number_of_faces`, `maximum_running_time`, `do_self_intersection_tests`, `number_of_iterations`,
- * `vertex_normal_map`, `visitor`, `protect_constraints`, `vertex_point_map`, `geom_traits` and the maps of constraints
- * and patches.
+ * not have) takes these and those of \cgal in any order; one that begins with one of \cgal's takes only those of
+ * \cgal, which are `maximum_number_of_faces`, `maximum_running_time`, `do_self_intersection_tests`,
+ * `number_of_iterations`, `vertex_normal_map`, `visitor`, `protect_constraints`, `vertex_point_map`, `geom_traits` and
+ * the maps of constraints and patches.
  *
  * @tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`
  *         (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same, to the last bit,
@@ -206,14 +205,15 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`FITTED_NORMALS`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{surface_model}
- *     \cgalParamDescription{the preset of the model: the one described above, or the paper's own form, the defaults of which
- *       are a weight of 0.5 and `AREA_NORMALS`, and which has no degree but 2}
+ *     \cgalParamDescription{the preset of the model: the one described above, or the paper's own form, the defaults of
+ *       which are a weight of 0.5 and `AREA_NORMALS`, and which has no degree but 2}
  *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Surface_model`}
  *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::CONTINUOUS_MODEL`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_normal_map}
  *     \cgalParamDescription{normals that the user knows; they replace the estimated ones. A zero vector means
- *       unknown.}
+ *       unknown. At a vertex on a feature, a normal is used for the sides of the feature the faces of which it is nearly
+ *       normal to. Length and orientation do not matter.}
  *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type
  *       `GeomTraits::Vector_3`}
  *     \cgalParamDefault{none}
@@ -279,8 +279,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_deviation_map}
- *     \cgalParamDescription{output: the largest distance to the fitted surface that was measured at a face; not written for
- *       faces that are not remeshed, nor after a stop}
+ *     \cgalParamDescription{output: the largest distance to the fitted surface that was measured at a face; not written
+ *       for faces that are not remeshed, nor after a stop}
  *     \cgalParamType{a model of `WritablePropertyMap` with key type `face_descriptor` and value type `double`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
@@ -325,7 +325,19 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
 /*!
  * \ingroup PkgHermiteDiffuseRemeshingRef
  *
- * remeshes all faces of a triangle mesh; same as the above with `faces(tmesh)`.
+ * remeshes all faces of a triangle mesh: the same as the function for a range of faces, with `faces(tmesh)`.
+ *
+ * @tparam ConcurrencyTag as for a range of faces
+ * @tparam TriangleMesh as for a range of faces
+ * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+ *
+ * @param tmesh the mesh
+ * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of the function for a range of
+ *        faces
+ *
+ * @return what was done, and which promises were kept
+ *
+ * \throw std::invalid_argument as for a range of faces
  */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh,
           typename NamedParameters = parameters::Default_named_parameters
