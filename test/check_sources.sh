@@ -48,6 +48,9 @@ no_abort)
 
 guards)
   grep -rL 'SPDX-License-Identifier: GPL-3.0-or-later' . | expect_none "these have no licence line"
+  find . -name '*.h' -not -path '*/internal/*' -not -path '*/license/*' \
+    -exec grep -LF '#include <CGAL/license/Hermite_diffuse_remeshing.h>' {} + \
+    | expect_none "these headers of users do not tell of the licence"
   find . -name '*.h' -printf '%P\n' | while read -r header; do
     guard=CGAL_$(tr '[:lower:]/.' '[:upper:]__' <<< "$header")
     grep -qx "#define $guard" "$header" || echo "$header: $guard"
@@ -59,7 +62,8 @@ tests_mirror_folders)
   tests=$root/test/Hermite_diffuse_remeshing
   groups=$(sed -n 's/^test_group(\(.*\))$/\1/p' "$tests/CMakeLists.txt")
   {
-    diff <(cut -d ' ' -f 1 <<< "$groups" | sort) <(cd .. && find . -name '*.h' -printf '%h\n' | cut -c 3- | sort -u)
+    diff <(cut -d ' ' -f 1 <<< "$groups" | sort) \
+         <(cd .. && find . -name '*.h' -not -path '*/license/*' -printf '%h\n' | cut -c 3- | sort -u)
     diff <(cut -d ' ' -f 2- <<< "$groups" | tr ' ' '\n' | sort) <(basename -s .cpp "$tests"/*.cpp | sort)
   } | expect_none "the groups of test programs (<) are not the folders and programs (>)"
   ;;

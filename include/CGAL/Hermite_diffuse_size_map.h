@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
 #define CGAL_HERMITE_DIFFUSE_SIZE_MAP_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_SURFACE_H
 #define CGAL_HERMITE_DIFFUSE_SURFACE_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/Principal_curvatures_and_directions.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/order_for_locality.h>

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_ATTRIBUTE_TRANSFER_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_ATTRIBUTE_TRANSFER_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/internal/interpolate_attribute.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/named_parameters.h>

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_BACKGROUND_SIZE_FIELDS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_BACKGROUND_SIZE_FIELDS_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_locator.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_BASIC_SURFACE_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_BASIC_SURFACE_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Basic_shape.h>
 
 #include <cstddef>

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_DEFAULT_REMESHING_VISITOR_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_DEFAULT_REMESHING_VISITOR_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 namespace CGAL {

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_FEATURE_CLASSES_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_FEATURE_CLASSES_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 

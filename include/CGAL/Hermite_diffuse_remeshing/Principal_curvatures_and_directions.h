@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_PRINCIPAL_CURVATURES_AND_DIRECTIONS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_PRINCIPAL_CURVATURES_AND_DIRECTIONS_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
 
 namespace CGAL {

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_REMESHING_REPORT_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_REMESHING_REPORT_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <boost/graph/graph_traits.hpp>
 
 #include <array>

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_SIZE_FIELDS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_SIZE_FIELDS_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/use.h>
 

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_SIZE_LAWS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_SIZE_LAWS_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/size_from_curvature.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/validate_input.h>
 

@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_NAMED_PARAMETERS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_NAMED_PARAMETERS_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/internal/compatibility.h>
 
 #include <CGAL/Named_function_parameters.h>

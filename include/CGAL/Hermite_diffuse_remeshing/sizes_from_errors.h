@@ -9,6 +9,8 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_SIZES_FROM_ERRORS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_SIZES_FROM_ERRORS_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 
 #include <CGAL/number_utils.h>

@@ -9,6 +9,8 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_SIZING_FIELD_H
 #define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_SIZING_FIELD_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_size_map.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Point_reader.h>
 

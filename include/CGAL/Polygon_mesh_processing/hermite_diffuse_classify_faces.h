@@ -9,6 +9,8 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CLASSIFY_FACES_H
 #define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CLASSIFY_FACES_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/Basic_surface.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/recognize_basic_shapes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>

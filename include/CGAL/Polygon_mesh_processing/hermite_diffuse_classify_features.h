@@ -9,6 +9,8 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CLASSIFY_FEATURES_H
 #define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CLASSIFY_FEATURES_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>

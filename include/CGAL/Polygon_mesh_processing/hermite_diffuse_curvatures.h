@@ -9,6 +9,8 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CURVATURES_H
 #define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_CURVATURES_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/Principal_curvatures_and_directions.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_curvature_fitter.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>

@@ -9,6 +9,8 @@
 #ifndef CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_REMESH_TRIANGLE_SOUP_H
 #define CGAL_POLYGON_MESH_PROCESSING_HERMITE_DIFFUSE_REMESH_TRIANGLE_SOUP_H
 
+#include <CGAL/license/Hermite_diffuse_remeshing.h>
+
 #include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Supervisor.h>
