@@ -93,10 +93,8 @@ public:
 
   template <typename IsFrozen>
   Working_mesh(const UserMesh& user, const Reference& reference,
-               const std::vector<face_descriptor>& faces_of_reference,
-               const std::vector<char>& is_remeshed,
-               const IsFrozen& is_edge_frozen,
-               const std::size_t maximum_number_of_faces, const bool is_guarded)
+               const std::vector<face_descriptor>& faces_of_reference, const std::vector<char>& is_remeshed,
+               const IsFrozen& is_edge_frozen, const std::size_t maximum_number_of_faces, const bool is_guarded)
     : Base(user, reference, faces_of_reference, is_remeshed, is_edge_frozen, is_guarded)
     , m_maximum_number_of_faces(maximum_number_of_faces)
   {}
@@ -122,8 +120,8 @@ public:
     if(number_of_faces <= m_number_of_faces)
       return;
     TriangleMesh& tm = m_user.tmesh;
-    const std::size_t more_faces = number_of_faces - m_number_of_faces;
-    const std::size_t more_vertices = more_faces / 2 + 1, more_edges = more_vertices + more_faces;   // as Euler has it
+    const std::size_t more_faces = number_of_faces - m_number_of_faces, more_vertices = more_faces / 2 + 1,
+                      more_edges = more_vertices + more_faces;                          // as Euler has it
     reserve(tm, num_vertices(tm) + more_vertices, num_edges(tm) + more_edges, num_faces(tm) + more_faces);
     m_vertices.reserve(m_vertices.size() + more_vertices);
     m_places.reserve(m_places.size() + more_vertices);
@@ -141,18 +139,22 @@ public:
     Vertex vertex;
     vertex.site = site;
     vertex.type = is_on_curve(h) ? CURVE_VERTEX : SURFACE_VERTEX;
-    const typename Base::Siblings edges_to_split = siblings(h);
     const int number = add_vertex(vertex);
     forget_ball(number);
+    vertex_descriptor first = Graph_traits::null_vertex();
     Copies copies;
-    for(const halfedge_descriptor sibling : edges_to_split)
-      copies.push_back(split_sibling(sibling, number));
-    m_vertices[number].descriptor = copies.front();
+    for(const halfedge_descriptor sibling : siblings(h))
+    {
+      const vertex_descriptor copy = split_sibling(sibling, number);
+      first = copies.empty() ? copy : first;
+      copies.push_back(copy);
+    }
+    m_vertices[number].descriptor = first;
     m_junctions.set(number, copies);
-    note_around(copies.front());
-    touch_around(copies.front());
+    note_around(first);
+    touch_around(first);
     ++m_counts.splits;
-    return copies.front();
+    return first;
   }
 
   // removes the source of h; its target moves to a site
@@ -297,7 +299,6 @@ private:
     m_user.visitor.before_edge_split(edge(h, tm));
     const Edge edge_data = get(m_edge, edge(h, tm));
     const halfedge_descriptor o = opposite(h, tm);
-
     const halfedge_descriptor h_new = CGAL::Euler::split_edge(h, tm);
     const vertex_descriptor v = target(h_new, tm);
     set_edge(edge(h_new, tm), edge_data);
@@ -332,7 +333,6 @@ private:
         kept_edges.push_back(std::make_pair(target(next(side, tm), tm),
                                             get(m_edge, edge(side == h ? next(h, tm) : prev(o, tm), tm))));
       }
-
     const auto is_protected_edge = boost::make_function_property_map<typename Graph_traits::edge_descriptor>(
       [this](const auto e) { return get(m_edge, e).is_protected; });
     const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm, is_protected_edge);
