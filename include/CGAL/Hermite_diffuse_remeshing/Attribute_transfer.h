@@ -36,20 +36,6 @@
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 
-namespace internal {
-
-// do the values at an end of an edge differ between its two faces?
-template <typename TriangleMesh, typename CornerMap>
-bool is_seam(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const TriangleMesh& tmesh,
-             const CornerMap& values)
-{
-  const auto o = opposite(h, tmesh);
-  return !CGAL::is_border(h, tmesh) && !CGAL::is_border(o, tmesh)
-      && !(get(values, h) == get(values, prev(o, tmesh)) && get(values, prev(h, tmesh)) == get(values, o));
-}
-
-} // namespace internal
-
 /*!
  * \ingroup PkgHermiteDiffuseRemeshingRef
  *

@@ -12,6 +12,9 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 
 #include <CGAL/IO/Color.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cmath>
@@ -68,6 +71,16 @@ struct Linear_interpolation<CGAL::IO::Color>
     return CGAL::IO::Color(channels[0], channels[1], channels[2], channels[3]);
   }
 };
+
+// do the values at an end of an edge differ between its two faces?
+template <typename TriangleMesh, typename CornerMap>
+bool is_seam(const typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h, const TriangleMesh& tmesh,
+             const CornerMap& values)
+{
+  const auto o = opposite(h, tmesh);
+  return !CGAL::is_border(h, tmesh) && !CGAL::is_border(o, tmesh)
+      && !(get(values, h) == get(values, prev(o, tmesh)) && get(values, prev(h, tmesh)) == get(values, o));
+}
 
 } // namespace internal
 } // namespace Hermite_diffuse_remeshing
