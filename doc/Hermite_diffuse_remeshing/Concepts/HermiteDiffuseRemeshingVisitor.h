@@ -36,9 +36,10 @@ public:
   /// is called when the stage ends.
   void stage_ends(const char* name);
 
-  /// is asked all the time, in every stage but the report: for a mesh of 100000 faces every few milliseconds, and at
-  /// least every 50 milliseconds of processor time, so it must be quick itself. Once it returns `true` it is not asked again,
-  /// the mesh is left as it is, valid, and the report says
+  /// is asked all the time, in every stage: for a mesh of 100000 faces every few milliseconds, and at least every 50
+  /// milliseconds of processor time, so it must be quick itself. The stage "report", which takes about a hundredth of the
+  /// time and is waited for after a stop in another stage, too, only asks before it looks for the reason why a face has a
+  /// low quality. Once it returns `true` it is not asked again, the mesh is left as it is, valid, and the report says
   /// `CGAL::Hermite_diffuse_remeshing::STOPPED_BY_VISITOR`.
   bool is_stop_requested();
 
