@@ -142,10 +142,8 @@ public:
     Input_mesh<TriangleMesh, Geom_traits> input = read_input<Geom_traits>(tmesh, pack);
     order_for_locality(m_rank, input);
     m_traits = input.traits;
-    m_faces = std::move(input.face_descriptors);
-    for(std::size_t i = 0; i < m_faces.size(); ++i)
-      put(m_rank, m_faces[i], static_cast<int>(i));
     m_model = read_model<ConcurrencyTag>(input, pack);
+    m_faces = std::move(input.face_descriptors);
     m_model->keep_surface_only();
     m_model->locator.build_tree();
   }

@@ -26,7 +26,8 @@ namespace internal {
 // Numbers the faces that were read patch by patch, and the vertices in the order in which these faces use them, isolated
 // ones last: what a query reads is then near in memory, however the mesh is stored. A patch is grown by a breadth-first
 // search, and the next one begins beside the last. Unlike a space-filling curve the order does not depend on how the
-// mesh lies in space, and it is the same for every type of mesh. `rank` is a map of faces to integers, and is overwritten.
+// mesh lies in space, and it is the same for every type of mesh. `rank`, a map of faces to integers, has the
+// ranks in the new order afterwards.
 template <typename FaceRankMap, typename TriangleMesh, typename GeomTraits>
 void order_for_locality(const FaceRankMap& rank, Input_mesh<TriangleMesh, GeomTraits>& input)
 {
@@ -106,6 +107,8 @@ void order_for_locality(const FaceRankMap& rank, Input_mesh<TriangleMesh, GeomTr
   input.side_marks.swap(ordered.side_marks);
   input.face_ranks.swap(ordered.face_ranks);
   std::swap(input.triangles, ordered.triangles);
+  for(std::size_t i = 0; i < n; ++i)
+    put(rank, input.face_descriptors[i], static_cast<int>(i));
 }
 
 } // namespace internal

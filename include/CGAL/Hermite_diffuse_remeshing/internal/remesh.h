@@ -30,19 +30,6 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// `result[i]`: is face i of the input among `faces`?
-template <typename FaceRange, typename TriangleMesh, typename GeomTraits>
-std::vector<char> select_faces(const FaceRange& faces, const Input_mesh<TriangleMesh, GeomTraits>& input)
-{
-  auto rank = get(CGAL::dynamic_face_property_t<int>(), input.tmesh);
-  for(std::size_t i = 0; i < input.face_descriptors.size(); ++i)
-    put(rank, input.face_descriptors[i], static_cast<int>(i));
-  std::vector<char> is_selected(input.face_descriptors.size(), false);
-  for(const auto f : faces)
-    is_selected[get(rank, f)] = true;
-  return is_selected;
-}
-
 template <typename TriangleMesh, typename GeomTraits, typename IsSelected>
 void describe_input(const Input_mesh<TriangleMesh, GeomTraits>& input, const IsSelected& is_selected,
                     Remeshing_report<TriangleMesh>& report)
@@ -91,10 +78,16 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
 
   Input_mesh<TriangleMesh, GT> input = read_input<GT>(tmesh, pack);
   check_is_manifold(tmesh, input.vertex_descriptors, input.triangles);
-  order_for_locality(get(CGAL::dynamic_face_property_t<int>(), tmesh), input);
+  std::vector<char> is_remeshed(input.face_descriptors.size(), false);
+  {
+    // not for longer: the map of a mesh that grows grows with it
+    const auto rank = get(CGAL::dynamic_face_property_t<int>(), tmesh);
+    order_for_locality(rank, input);
+    for(const face_descriptor f : faces)
+      is_remeshed[get(rank, f)] = true;
+  }
   const Size_options size_options = read_size_options(pack, input.traits, input.triangles, input.face_descriptors);
 
-  std::vector<char> is_remeshed = select_faces(faces, input);
   const auto is_selected = [&](const int f) { return is_remeshed[f] != 0; };
   const std::size_t maximum_number_of_faces = read_face_budget(pack, input.face_descriptors.size());
 

@@ -113,31 +113,42 @@ private:
   template <int Degree>
   double add_fit(const Node_frame& frame, double share, Fitted_normal& result) const;
 
-  // x, y, z, weight of the neighbours
-  Eigen::Matrix<double, Eigen::Dynamic, 4> positions(const Node_frame& frame, const Spread& spread) const
+  // calls `visit(x, y, z, weight)` for the neighbours
+  template <typename Visit>
+  void visit_positions(const Node_frame& frame, const Spread& spread, const Visit& visit) const
   {
-    Eigen::Matrix<double, Eigen::Dynamic, 4> result(m_neighborhood.size(), 4);
-    for(int i = 0; i < m_neighborhood.size(); ++i)
-    {
-      const int j = m_neighborhood.neighbors()[i];
-      const Vector x = frame.local(m_nodes[j].position);
-      const Eigen::Vector2d u = spread.equalized(x);
-      result.row(i) << u[0], u[1], x[2], weight(frame, j, x);
-    }
-    return result;
-  }
-
-  // the sum of the weighted squares that the fit makes small
-  template <int Degree>
-  double residuals(const Node_frame& frame, const Spread& spread, const Local_polynomial<Degree>& polynomial) const
-  {
-    double result = 0.;
     for(const int j : m_neighborhood.neighbors())
     {
       const Vector x = frame.local(m_nodes[j].position);
       const Eigen::Vector2d u = spread.equalized(x);
-      result += weight(frame, j, x) * CGAL::square(polynomial(u[0], u[1]) - x[2]);
+      visit(u[0], u[1], x[2], weight(frame, j, x));
     }
+  }
+
+  // x, y, z, weight
+  Eigen::Matrix<double, Eigen::Dynamic, 4> positions(const Node_frame& frame, const Spread& spread) const
+  {
+    Eigen::Matrix<double, Eigen::Dynamic, 4> result(m_neighborhood.size(), 4);
+    int row = 0;
+    visit_positions(frame, spread, [&](const double x, const double y, const double z, const double weight)
+                    { result.row(row++) << x, y, z, weight; });
+    return result;
+  }
+
+  struct Residuals
+  {
+    double sum = 0., weights = 0.;        // the weighted squares that a fit makes small
+  };
+
+  template <int Degree>
+  Residuals residuals(const Node_frame& frame, const Spread& spread, const Local_polynomial<Degree>& polynomial) const
+  {
+    Residuals result;
+    visit_positions(frame, spread, [&](const double x, const double y, const double z, const double weight)
+    {
+      result.sum += weight * CGAL::square(polynomial(x, y) - z);
+      result.weights += weight;
+    });
     return result;
   }
 
@@ -145,12 +156,8 @@ private:
   Local_polynomial<Degree> polynomial_of_positions(const Node_frame& frame, const Spread& spread) const
   {
     Local_polynomial<Degree> result;
-    for(const int j : m_neighborhood.neighbors())
-    {
-      const Vector x = frame.local(m_nodes[j].position);
-      const Eigen::Vector2d u = spread.equalized(x);
-      result.add_position(u[0], u[1], x[2], weight(frame, j, x));
-    }
+    visit_positions(frame, spread, [&](const double x, const double y, const double z, const double weight)
+                    { result.add_position(x, y, z, weight); });
     return result;
   }
 
@@ -165,8 +172,8 @@ private:
     if(!std::isfinite(lower.solve_through_origin()))
       return 1.;
     constexpr int unknowns = Local_polynomial<Degree>::size - 1, terms_of_highest_order = Degree + 1;
-    const double rest = residuals(frame, spread, polynomial) / (m_neighborhood.size() - unknowns);
-    const double gain = residuals(frame, spread, lower) / terms_of_highest_order
+    const double rest = residuals(frame, spread, polynomial).sum / (m_neighborhood.size() - unknowns);
+    const double gain = residuals(frame, spread, lower).sum / terms_of_highest_order
                       - rest * (m_neighborhood.size() - unknowns) / terms_of_highest_order;
     return gain < sure_ratio * rest ? ramp(gain / rest, least_ratio, sure_ratio) : gain > 0. ? 1. : 0.;
   }
@@ -179,17 +186,9 @@ private:
                            const Local_polynomial<Degree>& polynomial) const
   {
     constexpr double largest = 10.;
-    double residuals = 0., weights = 0.;
-    for(const int j : m_neighborhood.neighbors())
-    {
-      const Vector x = frame.local(m_nodes[j].position);
-      const Eigen::Vector2d u = spread.equalized(x);
-      const double residual = polynomial(u[0], u[1]) - x[2], w = weight(frame, j, x);
-      residuals += w * residual * residual;
-      weights += w;
-    }
+    const Residuals rest = residuals(frame, spread, polynomial);
     const int unknowns = Local_polynomial<Degree>::size - 1;
-    const double variance = residuals / weights * m_neighborhood.size() / (m_neighborhood.size() - unknowns);
+    const double variance = rest.sum / rest.weights * m_neighborhood.size() / (m_neighborhood.size() - unknowns);
     const double signal = polynomial.squared_norm(Degree);
     return signal < largest * largest * variance ? std::sqrt(signal / variance) : signal > 0. ? largest : 0.;
   }
