@@ -1,3 +1,6 @@
+// A mesh is remeshed with one parameter; the program prints the number of faces, the quality of the worst one, and the
+// largest distance to the model, and writes remeshed.off.
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
