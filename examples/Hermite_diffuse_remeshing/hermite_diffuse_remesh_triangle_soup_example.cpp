@@ -1,5 +1,6 @@
-// Three sheets that meet in one curve, with a label for each: the result conforms, and keeps the labels. The program prints
-// the numbers of triangles and of edges at which three of them meet, and the smallest quality, and writes sheets.off.
+// Three sheets that meet in one curve, with a label for each: the result conforms, and keeps the labels. The program
+// prints the numbers of triangles and of edges at which three of them meet, and the smallest quality, and writes
+// sheets.off.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
@@ -37,7 +38,8 @@ void make_sheets(const int n, std::vector<Point>& points, std::vector<std::array
         const double x = double(j) / n, y = 0.3 * x * x;
         points.push_back(Point(points[i].x() + c * x - s * y, s * x + c * y, points[i].z()));
       }
-    const auto index = [&](const int i, const int j) { return j == 0 ? std::size_t(i) : first + (j - 1) * (n + 1) + i; };
+    const auto index = [&](const int i, const int j)
+    { return j == 0 ? std::size_t(i) : first + (j - 1) * (n + 1) + i; };
     for(int j = 0; j < n; ++j)
       for(int i = 0; i < n; ++i)
         for(const bool is_lower : {true, false})

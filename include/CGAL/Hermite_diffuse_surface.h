@@ -39,8 +39,8 @@ namespace CGAL {
  * \f$ h^4 \f$, the angle between the normals of order \f$ h^3 \f$, and the error of the curvatures
  * of order \f$ h^2 \f$, with the default parameters.
  *
- * `hermite_diffuse_remesh()` bends this surface to the splines of its feature curves, near which the two differ: distances
- * that it reports are to the bent one.
+ * `hermite_diffuse_remesh()` bends this surface to the splines of its feature curves, near which the two differ:
+ * distances that it reports are to the bent one.
  *
  * The object is immutable and refers to the mesh for its descriptors only: the geometry is copied.
  * Queries from several threads are safe. An evaluation takes time proportional to the number of vertices around the

@@ -337,10 +337,14 @@ void test_parameters()
   PMP::hermite_diffuse_remesh_triangle_soup(turned.points, turned.triangles, params::size_field(field));
   assert(number_of_questions > 100);
 
-  const auto is_refused = [](Soup soup)
+  std::map<std::size_t, Kernel::Vector_3> normals;           // none is known
+  for(std::size_t i = 0; i < input.points.size(); ++i)
+    normals[i] = CGAL::NULL_VECTOR;
+  const auto is_refused = [&](Soup soup)
   {
     const Soup copy = soup;
-    try { PMP::hermite_diffuse_remesh_triangle_soup(soup.points, soup.triangles); }
+    const auto known = params::maximum_edge_length(0.5).vertex_normal_map(boost::make_assoc_property_map(normals));
+    try { PMP::hermite_diffuse_remesh_triangle_soup(soup.points, soup.triangles, known); }
     catch(const std::invalid_argument&) { return soup.points.size() == copy.points.size() && soup.triangles == copy.triangles; }
     return false;
   };
@@ -356,6 +360,13 @@ void test_parameters()
   bad = input;
   bad.points[2] = Point_3(0., std::numeric_limits<double>::quiet_NaN(), 0.);
   assert(is_refused(bad));
+  bad = input;
+  for(Point_3& p : bad.points)
+    p = CGAL::ORIGIN + 1e60 * (p - CGAL::ORIGIN);
+  assert(is_refused(bad));
+  assert(!is_refused(input));
+  normals[2] = Kernel::Vector_3(0., 0., std::numeric_limits<double>::infinity());
+  assert(is_refused(input));
 }
 
 int main(int argc, char** argv)

@@ -29,18 +29,18 @@ public:
   /// "repair" where there is something to repair, "adaptation", "optimisation", "deviation" and "report".
   void stage_begins(const char* name);
 
-  /// is called during a stage with the part of it that is done, from 0 to 1 and never falling; a stage may end before it
-  /// has reached 1.
+  /// is called during a stage with the part of it that is done, from 0 to 1 and never falling; a stage may end before
+  /// it has reached 1.
   void progress(double fraction);
 
   /// is called when the stage ends.
   void stage_ends(const char* name);
 
   /// is asked all the time, in every stage: for a mesh of 100000 faces every few milliseconds, and at least every 50
-  /// milliseconds of processor time, so it must be quick itself. The stage "report", which takes about a hundredth of the
-  /// time and is waited for after a stop in another stage, too, only asks before it looks for the reason why a face has a
-  /// low quality. Once it returns `true` it is not asked again, the mesh is left as it is, valid, and the report says
-  /// `CGAL::Hermite_diffuse_remeshing::STOPPED_BY_VISITOR`.
+  /// milliseconds of processor time, so it must be quick itself. The stage "report", which takes about a hundredth of
+  /// the time and is waited for after a stop in another stage, too, only asks before it looks for the reason why a face
+  /// has a low quality. Once it returns `true` it is not asked again, the mesh is left as it is, valid, and the report
+  /// says `CGAL::Hermite_diffuse_remeshing::STOPPED_BY_VISITOR`.
   bool is_stop_requested();
 
   /// @}

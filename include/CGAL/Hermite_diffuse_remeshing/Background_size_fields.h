@@ -169,8 +169,8 @@ public:
    *         convertible to `double`
    *
    * @param background the mesh
-   * @param sizes the sizes of its vertices, lengths larger than 0. Where one is infinite, and in the faces around, there is
-   *        no wish.
+   * @param sizes the sizes of its vertices, lengths larger than 0. Where one is infinite, and in the faces around,
+   *        there is no wish.
    * @param traits an instance of the geometric traits class
    *
    * \throw std::invalid_argument if the background has no face, a face that is not a triangle, a coordinate

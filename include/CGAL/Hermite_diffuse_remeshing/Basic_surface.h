@@ -32,7 +32,7 @@ struct Basic_surface
 {
   Basic_surface_type type = FREE_FORM_SURFACE;         ///< the kind of surface
   typename GeomTraits::Point_3 point;                  ///< centre, apex, or point of the plane or axis
-  typename GeomTraits::Vector_3 direction;             ///< unit vector along the axis, or the plane's normal, to any of its sides
+  typename GeomTraits::Vector_3 direction;             ///< unit vector along the axis, or a normal of the plane
   typename GeomTraits::FT radius = 0;                  ///< of sphere, cylinder, or the torus' central circle
   typename GeomTraits::FT tube_radius = 0;             ///< of the torus' tube
   typename GeomTraits::FT half_angle = 0;              ///< between the axis and the sides of the cone, in radians

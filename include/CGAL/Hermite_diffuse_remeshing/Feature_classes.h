@@ -34,8 +34,8 @@ enum Edge_class
  * \ingroup PkgHermiteDiffuseRemeshingRef
  *
  * what a vertex is to the model of the surface. `SURFACE_VERTEX` and `CURVE_VERTEX` may move, on the
- * surface and along their feature curve; the others are corners, which keep their exact place. Where several reasons hold
- * an apex goes before what the user says, that before touching sheets, and these before junctions and kinks.
+ * surface and along their feature curve; the others are corners, which keep their exact place. Where several reasons
+ * hold an apex goes before what the user says, that before touching sheets, and these before junctions and kinks.
  */
 enum Vertex_class
 {
@@ -43,7 +43,8 @@ enum Vertex_class
   CURVE_VERTEX,        ///< two feature edges that go on smoothly
   JUNCTION_VERTEX,     ///< other than two feature edges, or two of different classes or numbers of faces
   KINK_VERTEX,         ///< two feature edges that turn by more than `corner_angle`
-  APEX_VERTEX,         ///< no feature edge, but the angles of the faces of a sheet miss 360 degrees by more than `apex_angular_defect`
+  APEX_VERTEX,         ///< no feature edge, but the angles of the faces of a sheet miss 360 degrees by more than
+                       ///< `apex_angular_defect`
   TOUCHING_VERTEX,     ///< sheets of the surface touch there that share no edge
   CONSTRAINED_VERTEX   ///< the user says so, by `vertex_is_constrained_map`
 };

@@ -38,12 +38,12 @@ namespace Polygon_mesh_processing {
  * belongs to a curved surface if it is closer to it than a small part of the height of the
  * facets, 0.004 of the square of the shortest edge around it times the curvature, or than `maximum_distance`.
  *
- * Takes time proportional to the number of faces for each shape, but for a logarithmic factor, and time proportional to the
- * square of the number of faces around a vertex.
+ * Takes time proportional to the number of faces for each shape, but for a logarithmic factor, and time proportional to
+ * the square of the number of faces around a vertex.
  *
  * @tparam ConcurrencyTag enables sequential versus parallel algorithm, for the surface that is fitted. Possible values
- *         are `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same for
- *         any number of threads.
+ *         are `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same
+ *         for any number of threads.
  * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * @tparam FaceLabelMap a model of `WritablePropertyMap` with key type
  *         `boost::graph_traits<TriangleMesh>::%face_descriptor` and value type `std::size_t`
@@ -79,8 +79,8 @@ namespace Polygon_mesh_processing {
  *
  * @return a `std::vector` of `CGAL::Hermite_diffuse_remeshing::Basic_surface<GT>`, one per region
  *
- * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle or a coordinate
- *        that is not finite, or if a parameter is out of its range
+ * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle, a coordinate that is not
+ *        finite or a diameter outside [1e-50, 1e50], or if a parameter is out of its range
  *
  * @sa `hermite_diffuse_curvatures()`
  */

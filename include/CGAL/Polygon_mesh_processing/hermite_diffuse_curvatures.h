@@ -78,9 +78,9 @@ namespace Polygon_mesh_processing {
  * Takes time and memory proportional to the number of faces, but for a logarithmic factor, and time proportional to the
  * square of the number of faces around a vertex.
  *
- * A chain of parameters that begins with one of this package's own takes these and those of \cgal in any order; one that
- * begins with one of \cgal's takes only those of \cgal. From version 6 on, \cgal has the maps of curvatures, too: in a
- * program for all versions another one comes before them, or only parameters of \cgal behind.
+ * A chain of parameters that begins with one of this package's own takes these and those of \cgal in any order; one
+ * that begins with one of \cgal's takes only those of \cgal. The parameters for curvatures are \cgal's from version 6 on:
+ * in a program for all versions, a chain with others of this package begins with one of these.
  *
  * @tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`
  *         (the default), `Parallel_tag` and `Parallel_if_available_tag`. The values are the same, to the last
@@ -123,9 +123,9 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map,
  *     edge_policy_map, vertex_is_constrained_map, face_patch_map, hermite_weight, surface_model}
- *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, but maps are only read, and
- *       `PAPER_MODEL` changes no more than the defaults of `normal_estimation` and `hermite_weight`; `polynomial_degree`
- *       and `maximum_displacement` are checked and have no effect}
+ *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, but maps are only read,
+ *       and `PAPER_MODEL` changes no more than the defaults of `normal_estimation` and `hermite_weight`;
+ *       `polynomial_degree` and `maximum_displacement` are checked and have no effect}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of the vertices}

@@ -41,8 +41,8 @@ namespace Polygon_mesh_processing {
  * number. The result depends on the input and the parameters only, and scaling, rotating or translating the input does
  * the same to it.
  *
- * A chain of parameters that begins with one of this package's own (`approximation_error` and the others that \cgal does
- * not have) takes these and those of \cgal in any order; one that begins with one of \cgal's takes only those of
+ * A chain of parameters that begins with one of this package's own (`approximation_error` and the others that \cgal
+ * does not have) takes these and those of \cgal in any order; one that begins with one of \cgal's takes only those of
  * \cgal, which are `maximum_number_of_faces`, `maximum_running_time`, `do_self_intersection_tests`,
  * `number_of_iterations`, `vertex_normal_map`, `visitor`, `protect_constraints`, `vertex_point_map`, `geom_traits` and
  * the maps of constraints and patches.
@@ -98,8 +98,8 @@ namespace Polygon_mesh_processing {
  *       middles of edges and centroids of faces of the result, and from points of the fitted surface and of its
  *       feature curves to the result. Sizes are chosen for it from the curvature, as by another error law. Where it is
  *       exceeded even so, they are lowered and the mesh is adapted again there, in at most 20 rounds. Where
- *       `maximum_number_of_faces` does not do for it, the faces are shared out so that the largest deviation is as small
- *       as they allow. The report says whether it was met, and where it was not; and how far the fitted
+ *       `maximum_number_of_faces` does not do for it, the faces are shared out so that the largest deviation is as
+ *       small as they allow. The report says whether it was met, and where it was not; and how far the fitted
  *       surface is from the facets of the input.}
  *     \cgalParamType{`double`, a length, larger than 0}
  *     \cgalParamDefault{infinity}
@@ -214,8 +214,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_normal_map}
  *     \cgalParamDescription{normals that the user knows; they replace the estimated ones. A zero vector means
- *       unknown. At a vertex on a feature, a normal is used for the sides of the feature the faces of which it is nearly
- *       normal to. Length and orientation do not matter.}
+ *       unknown. At a vertex on a feature, a normal is used for the sides of the feature the faces of which it is
+ *       nearly normal to. Length and orientation do not matter.}
  *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type
  *       `GeomTraits::Vector_3`}
  *     \cgalParamDefault{none}

@@ -175,10 +175,10 @@ namespace Polygon_mesh_processing {
  *
  * remeshes a soup of triangles, which may be non-manifold: edges with any number of triangles, vertices where sheets
  * touch, open and closed parts, triangles that are not coherently oriented, sheets that cannot be oriented. Apart
- * from that it does the same as `hermite_diffuse_remesh()`, but for degenerate and folded triangles, which it does not repair:
- * `CGAL::Polygon_mesh_processing::repair_polygon_soup()` removes some of them. The report's counts of these, and of
- * isolated and coincident points, stay 0. Of a map of labels, entries beyond the triangles of the result are left as they
- * are.
+ * from that it does the same as `hermite_diffuse_remesh()`, but for degenerate and folded triangles, which it does not
+ * repair: `CGAL::Polygon_mesh_processing::repair_polygon_soup()` removes some of them. The report's counts of these,
+ * and of isolated and coincident points, stay 0. Of a map of labels, entries beyond the triangles of the result are
+ * left as they are.
  *
  * The soup is cut into sheets along its non-manifold edges. These edges, the junctions, are feature edges: they form
  * curves between corners, each with one spline and one sampling, which all its sheets share. They are split,
@@ -213,8 +213,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{face_patch_map}
  *     \cgalParamDescription{labels of the triangles, for instance the two materials at its sides. Edges between two
- *       triangles of different labels are features. It is read for the triangles of the input and written for those of the
- *       result, which may be more.}
+ *       triangles of different labels are features. It is read for the triangles of the input and written for those of
+ *       the result, which may be more.}
  *     \cgalParamType{a model of `ReadWritePropertyMap` with key type `std::size_t`, for instance
  *       `boost::associative_property_map<std::map<std::size_t, int> >`, and a value type that can be compared}
  *     \cgalParamDefault{one label}
@@ -238,9 +238,10 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{no point}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_normal_map}
- *     \cgalParamDescription{normals that the user knows; they replace the estimated ones. A zero vector means unknown. At a
- *       point where several sheets meet, a normal is used for those that it is nearly normal to.}
- *     \cgalParamType{a model of `ReadablePropertyMap` with key type `std::size_t` and value type `GeomTraits::Vector_3`}
+ *     \cgalParamDescription{normals that the user knows; they replace the estimated ones. A zero vector means unknown.
+ *       At a point where several sheets meet, a normal is used for those that it is nearly normal to.}
+ *     \cgalParamType{a model of `ReadablePropertyMap` with key type `std::size_t` and value type
+ *       `GeomTraits::Vector_3`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{visitor}
@@ -251,9 +252,9 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`CGAL::Hermite_diffuse_remeshing::Default_remeshing_visitor<CGAL::Surface_mesh<Point> >`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_location_map, vertex_size_map, face_origin_map, face_deviation_map}
- *     \cgalParamDescription{output: as for `hermite_diffuse_remesh()`, with indices into the new points and triangles as
- *       keys. A location is the index of a triangle of the input and the coordinates with respect to its corners. A point
- *       without a triangle has none before the first change.}
+ *     \cgalParamDescription{output: as for `hermite_diffuse_remesh()`, with indices into the new points and triangles
+ *       as keys. A location is the index of a triangle of the input and the coordinates with respect to its corners. A
+ *       point without a triangle has none before the first change.}
  *     \cgalParamType{models of `WritablePropertyMap` with key type `std::size_t`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
@@ -275,8 +276,8 @@ namespace Polygon_mesh_processing {
  *         result.
  *
  * \throw std::invalid_argument if there is no triangle, if a polygon is not a triangle or names a vertex twice or one
- *        that is not there, if a coordinate is not finite, or if a parameter is out of its range. The message
- *        names it, and the soup is unchanged.
+ *        that is not there, if a coordinate or a known normal is not finite, if the diameter is outside [1e-50, 1e50],
+ *        or if a parameter is out of its range. The message names it, and the soup is unchanged.
  *
  * @sa `hermite_diffuse_remesh()`
  */
@@ -348,7 +349,8 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   const Quality_statistics quality = measure_quality(surface, [](int) { return true; });
   report.smallest_input_quality = report.smallest_quality = quality.smallest;
   report.mean_input_quality = report.mean_quality = quality.mean;
-  Supervisor_of_visitor<Mesh, std::remove_reference_t<Visitor_reference> > watched(visitor, report, maximum_running_time);
+  Supervisor_of_visitor<Mesh, std::remove_reference_t<Visitor_reference> >
+    watched(visitor, report, maximum_running_time);
 
   typedef typename boost::property_map<Mesh, CGAL::vertex_point_t>::type VPM;
   typedef Static_boolean_property_map<edge_descriptor, false> ECM;
@@ -358,7 +360,8 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   bool is_written = false;
   run_stages<User_mesh<Mesh> >(
     user, face_descriptors, marks, std::vector<char>(face_descriptors.size(), true),
-    Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations), is_guarded},
+    Stage_options{size_options, read_face_budget(pack, surface.triangles.size()), static_cast<int>(iterations),
+                  is_guarded},
     [&]
     {
       return make_model<Input_model>(surface, feature_options, model_options,

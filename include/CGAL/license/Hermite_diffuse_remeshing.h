@@ -16,7 +16,7 @@
 #include <CGAL/license.h>
 
 #ifdef CGAL_LICENSE_ERROR
-#error "The package Hermite Diffuse Remeshing has the licence GPL, version 3 or later, which CGAL_LICENSE_ERROR refuses."
+#error "The package Hermite Diffuse Remeshing has the licence GPL, version 3 or later: CGAL_LICENSE_ERROR refuses it."
 #elif defined(CGAL_LICENSE_WARNING)
 CGAL_pragma_warning("The package Hermite Diffuse Remeshing is used under its licence, the GPL, version 3 or later.")
 #endif
