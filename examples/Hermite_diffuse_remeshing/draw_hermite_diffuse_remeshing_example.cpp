@@ -1,4 +1,5 @@
-// Shows side by side in CGAL's viewer: a mesh, its mean curvature, and the result of the remeshing with its own.
+// Shows side by side in CGAL's viewer: a mesh, its mean curvature, and the result of the remeshing with its own. The
+// viewer knows the colours of the faces from CGAL 6 on; before, it paints each face in one of its own.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -58,37 +59,6 @@ void add_to_scene(const Mesh& mesh, const std::vector<Color>& colors, const K::V
   }
 }
 
-#if CGAL_VERSION_MAJOR < 6
-// with the colours of the faces, which draw() knows from CGAL 6 on
-struct Viewer : CGAL::SimpleFaceGraphViewerQt
-{
-  template <typename FaceColor>
-  Viewer(const Mesh& mesh, const char* title, const FaceColor& color)
-    : CGAL::SimpleFaceGraphViewerQt(nullptr, mesh, title, false, color)
-  {
-    m_use_mono_color = false;
-    m_size_edges = 1.;
-    resize(1400, 600);
-  }
-};
-#endif
-
-void show(const Mesh& scene, const char* title)
-{
-#if CGAL_VERSION_MAJOR >= 6
-  CGAL::draw(scene, title);
-#else
-  const auto colors = scene.property_map<Mesh::Face_index, Color>("f:color").first;
-  CGAL::Qt::init_ogl_context(4, 3);
-  int argc = 1;
-  const char* argv[] = {"viewer", nullptr};
-  QApplication application(argc, const_cast<char**>(argv));
-  Viewer viewer(scene, title, [=](const Mesh&, const Mesh::Face_index f) { return colors[f]; });
-  viewer.show();
-  application.exec();
-#endif
-}
-
 int main(int argc, char* argv[])
 {
   const std::string filename = (argc > 1) ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
@@ -109,6 +79,6 @@ int main(int argc, char* argv[])
   add_to_scene(mesh, std::vector<Color>(mesh.number_of_faces(), CGAL::IO::white()), 0. * step, scene);
   add_to_scene(mesh, colors_by_curvature(mesh, length), step, scene);
   add_to_scene(result, colors_by_curvature(result, length), 2. * step, scene);
-  show(scene, "Input, its mean curvature, and the result");
+  CGAL::draw(scene, "Input, its mean curvature, and the result");
   return EXIT_SUCCESS;
 }
