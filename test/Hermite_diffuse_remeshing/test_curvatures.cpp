@@ -7,7 +7,10 @@
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_curvatures.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/locate.h>
+#include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -403,12 +406,40 @@ void test_order()
   }
 }
 
+// A turned mesh has the same curvatures. In planes, and beside them, nothing may hang on what rounding leaves of heights.
+void test_turned_meshes()
+{
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
+  const double c = std::cos(0.3), s = std::sin(0.3), d = std::cos(0.2), t = std::sin(0.2);
+  const CGAL::Aff_transformation_3<Kernel> rotation(c, -s, 0., s * d, c * d, -t, s * t, c * t, d);
+  bool ok = true;
+  for(const std::string name : {"fandisk", "anchor_dense"})
+  {
+    Mesh mesh;
+    const bool is_read = PMP::IO::read_polygon_mesh(CGAL::data_file_path("meshes/" + name + ".off"), mesh);
+    assert(is_read);
+    const CGAL::Bbox_3 box = PMP::bbox(mesh);
+    const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+    auto before = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+    auto after = get(CGAL::dynamic_vertex_property_t<double>(), mesh);
+    PMP::hermite_diffuse_curvatures(mesh, np::vertex_mean_curvature_map(before));
+    PMP::transform(rotation, mesh);
+    PMP::hermite_diffuse_curvatures(mesh, np::vertex_mean_curvature_map(after));
+    double change = 0.;
+    for(const auto v : mesh.vertices())
+      change = (std::max)(change, diagonal * std::abs(get(after, v) - get(before, v)));
+    ok = is_at_most(name + ", turned, curvature", change, 1e-5) && ok;
+  }
+  assert(ok);
+}
+
 int main()
 {
   test_accuracy();
   test_borders();
   test_borders_of_rows();
   test_order();
+  test_turned_meshes();
   test_noise();
   test_functions<CGAL::Surface_mesh<Point_3> >();
   test_functions<CGAL::Polyhedron_3<Kernel> >();

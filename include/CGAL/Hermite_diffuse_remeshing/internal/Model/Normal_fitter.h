@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -186,11 +187,15 @@ private:
                            const Local_polynomial<Degree>& polynomial) const
   {
     constexpr double largest = 10.;
+    // In a plane there is neither, and what rounding leaves of both must not decide: of the coordinates, which lose a few
+    // units in the last place when they are turned, and terms of order four are some hundred times what they are made of.
+    constexpr double part_that_rounding_makes = 1e4 * std::numeric_limits<double>::epsilon();
     const Residuals rest = residuals(frame, spread, polynomial);
     const int unknowns = Local_polynomial<Degree>::size - 1;
-    const double variance = rest.sum / rest.weights * m_neighborhood.size() / (m_neighborhood.size() - unknowns);
+    const double variance = rest.sum / rest.weights * m_neighborhood.size() / (m_neighborhood.size() - unknowns)
+                          + CGAL::square(part_that_rounding_makes * (1. + frame.origin.norm() / frame.size));
     const double signal = polynomial.squared_norm(Degree);
-    return signal < largest * largest * variance ? std::sqrt(signal / variance) : signal > 0. ? largest : 0.;
+    return signal < largest * largest * variance ? std::sqrt(signal / variance) : largest;
   }
 };
 
