@@ -75,6 +75,33 @@ inline Triangles surface_of_revolution(const int number_of_columns, const std::v
   return t;
 }
 
+// Two tubes along axes that meet in the origin, one of them from the left, the other turned upwards by an angle: `rows`
+// rings of facets on each, all as long as the tubes if it is one. The points between are the seam's: of all, those from
+// `rows` times the number of columns on.
+inline Triangles mitred_tubes(const int columns, const int rows, const double radius, const double length,
+                              const double bend, Random& random)
+{
+  Triangles t;
+  for(int row = -rows; row <= rows; ++row)
+    for(int i = 0; i < columns; ++i)
+    {
+      const double a = 2. * pi * i / columns, up = radius * std::cos(a), aside = radius * std::sin(a);
+      // from the end of the tube to the plane that halves the angle between them
+      const double part = std::abs(double(row)) / rows, angle = row > 0 ? bend : 0.;
+      const double seam = up * std::tan(bend / 2.);
+      const double along = row > 0 ? part * length + (1. - part) * seam : -(part * length + (1. - part) * seam);
+      t.points.push_back({{along * std::cos(angle) - up * std::sin(angle),
+                           along * std::sin(angle) + up * std::cos(angle), aside}});
+    }
+  for(int row = 0; row < 2 * rows; ++row)
+    for(int i = 0; i < columns; ++i)
+    {
+      const std::size_t a = row * columns + i, b = row * columns + (i + 1) % columns;
+      t.add_quadrangle({{a, b, b + columns, a + columns}}, random);
+    }
+  return t;
+}
+
 // A box whose edges and corners are rounded by parts of cylinders and of spheres, n facets around a quarter of a circle;
 // its sides are of two triangles.
 inline Triangles rounded_box(const Point& half_sides, const double radius, const int n, Random& random)

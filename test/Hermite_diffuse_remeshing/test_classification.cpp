@@ -161,6 +161,46 @@ void test_isolated_sharp_edges()
   assert(roof(2, 70.).number(SHARP_EDGE) >= 2);
 }
 
+// The seam of two tubes is a feature all around, also where it fades, if their facets are long; what the user says goes
+// before.
+void test_fading_creases()
+{
+  constexpr double radius = 0.4, length = 3.;
+  const auto tubes = [](const int columns, const int rows, const double bend)
+  {
+    analytic::Random random(1);
+    const analytic::Triangles t =
+      analytic::mitred_tubes(columns, rows, radius, length, Classification::radians(bend), random);
+    Indexed_triangles result;
+    for(const analytic::Point& p : t.points)
+      result.points.push_back(Vector(p[0], p[1], p[2]));
+    for(const auto& f : t.faces)
+      result.triangles.push_back({{int(f[0]), int(f[1]), int(f[2])}});
+    return result;
+  };
+  for(const int columns : {15, 16, 33, 64})
+    for(const double bend : {55., 90., 120.})
+    {
+      const Classification mitre(tubes(columns, 1, bend));
+      assert(mitre.number(SHARP_EDGE) == columns);
+      for(int e = 0; e < mitre.edges.number_of_edges(); ++e)
+        if(mitre.edge_classes[e] == SHARP_EDGE)
+          for(const int v : mitre.edges.vertices(e))
+            assert(v >= columns && v < 2 * columns);
+    }
+  // of tubes with many rows of facets nothing is closed
+  const Classification fine(tubes(16, 20, 90.));
+  assert(fine.number(SHARP_EDGE) == 12);
+  // nor where there is no crease
+  assert(Classification(tubes(16, 1, 35.)).number(SHARP_EDGE) == 0);
+  const Indexed_triangles t = tubes(16, 1, 90.);
+  const auto is_at_middle = [&](const int f, const int k) { return std::abs(t.point(f, k)[1]) < 0.2 * radius; };
+  const std::vector<Edge_class> classes = classify_edges(t, Edge_table(t), Classification::radians(40.),
+    [&](const int f, const int k)
+    { return is_at_middle(f, k) || is_at_middle(f, next(k)) ? MARKED_FREE : HDR::internal::UNMARKED_EDGE; });
+  assert(std::count(classes.begin(), classes.end(), SHARP_EDGE) == 12);
+}
+
 // A needle whose normal is turned away from the faces around it is no piece of two features.
 void test_needles()
 {
@@ -217,6 +257,7 @@ int main()
   test_square_border();
   test_non_manifold();
   test_isolated_sharp_edges();
+  test_fading_creases();
   test_needles();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

@@ -716,6 +716,27 @@ void test_rounded_box(const analytic::Point& half_sides, const double radius, co
   assert(is_at_most("rounded box, rotation", gap, 1e-9));
 }
 
+// Two tubes of long facets meet in a seam that fades twice: they stay tubes.
+void test_mitred_tubes(const double bend)
+{
+  constexpr int columns = 16;
+  constexpr double radius = 0.4, length = 3.;
+  analytic::Random random(1);
+  const Indexed_triangles t = indexed(analytic::mitred_tubes(columns, 1, radius, length, bend, random));
+  const auto model = make_model(t, Model_options(), 40.);
+  double error = 0.;
+  for(int f = 0; f < t.number_of_faces(); ++f)
+    for(const double u : {0., 0.2, 0.5, 0.8})
+      for(const double v : {0., 0.25, 0.5})
+      {
+        const Vector p = model->surface.evaluate({f, {{(1. - u) * (1. - v), (1. - u) * v, u}}}).point();
+        const double angle = f < 2 * columns ? 0. : bend;
+        const double up = p[1] * std::cos(angle) - p[0] * std::sin(angle);
+        error = (std::max)(error, std::abs(std::hypot(up, p[2]) - radius));
+      }
+  assert(is_at_most("mitred tubes, sagittas", error / (radius * (1. - std::cos(analytic::pi / columns))), 0.25));
+}
+
 // Between its samples the displacement of a fit onto a feature's spline is what closes the gap there.
 void test_feature_displacements()
 {
@@ -936,6 +957,8 @@ int main()
   test_rounded_box({{5., 4., 2.5}}, 0.5, 5);
   test_rounded_box({{5., 4., 2.5}}, 0.5, 6);
   test_rounded_box({{5., 4., 2.5}}, 0.1, 8);
+  test_mitred_tubes(analytic::pi / 2.);
+  test_mitred_tubes(analytic::pi / 3.);
   test_feature_displacements();
   test_crossings_of_ridges();
   test_normal_beside_folded_face();

@@ -23,7 +23,7 @@ namespace Hermite_diffuse_remeshing {
 enum Edge_class
 {
   INTERIOR_EDGE,       ///< the surface is smooth across it
-  SHARP_EDGE,          ///< the normals of its faces differ by more than `sharp_dihedral_angle`
+  SHARP_EDGE,          ///< the normals of its faces differ by more than `sharp_dihedral_angle`, or it joins two creases
   PATCH_BORDER_EDGE,   ///< the labels of its faces in `face_patch_map` differ
   CONSTRAINED_EDGE,    ///< the user says so, by `edge_is_constrained_map` or `edge_policy_map`
   BOUNDARY_EDGE,       ///< it has one face

@@ -29,7 +29,8 @@ namespace Polygon_mesh_processing {
  * finds the feature edges and the corners of a triangle mesh, as `hermite_diffuse_remesh()` does before
  * anything else. Section \ref HDR_features of the manual gives the rules.
  *
- * An edge is sharp if the normals of its two faces differ by more than `sharp_dihedral_angle`. On scans and
+ * An edge is sharp if the normals of its two faces differ by more than `sharp_dihedral_angle`, or if it leads from one
+ * crease to another between long facets, as in the seam of mitred tubes. On scans and
  * coarse meshes single edges pass this limit by noise, so a connected set of feature edges is not taken if
  * it has only sharp edges and fewer than six of them, has an end at which no other feature edge begins,
  * and all of its angles are less than 1.5 times the limit.

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Edge_table.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Fading_creases.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Needles.h>
 
 #include <algorithm>
@@ -133,6 +134,7 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
     }
   }
   Needles(surface, edges, sharp_angle, classes, may_be_sharp).smooth();
+  Fading_creases(surface, edges, may_be_sharp, classes).close();
   discard_isolated_sharp_edges(surface, edges, sharp_angle, classes);
   return classes;
 }
