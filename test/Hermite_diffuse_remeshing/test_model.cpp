@@ -631,9 +631,10 @@ void test_sharp_edges()
 }
 
 // Flat and straight facets that end tangentially in short ones: nothing bulges over them. The surface around a cylinder
-// with rounded edges, the radius of which may be that of the cylinder.
+// with rounded edges, the radius of which may be that of the cylinder. The facets of its flat sides come from the middle,
+// or from a vertex of the rim: there they are as small as those of the fillet.
 void test_tangent_lines(const double radius, const double half_height, const double rounding, const int columns,
-                        const int number_of_segments)
+                        const int number_of_segments, const bool are_fans_from_rim = false)
 {
   std::vector<std::array<double, 2> > profile(1, {{0., -half_height}});
   for(const int side : {-1, 1})
@@ -646,7 +647,20 @@ void test_tangent_lines(const double radius, const double half_height, const dou
     }
   profile.push_back({{0., half_height}});
   analytic::Random random(1);
-  const Indexed_triangles t = indexed(analytic::surface_of_revolution(columns, profile, random));
+  analytic::Triangles body = analytic::surface_of_revolution(columns, profile, random);
+  if(are_fans_from_rim)
+  {
+    // the vertices on the axis are the first and the last
+    const std::size_t last = body.points.size() - 1;
+    for(auto& f : body.faces)
+      for(std::size_t& v : f)
+        v = v == 0 ? 0 : v == last ? last - columns - 1 : v - 1;
+    body.points.pop_back();
+    body.points.erase(body.points.begin());
+    body.faces.erase(std::remove_if(body.faces.begin(), body.faces.end(), [](const auto& f)
+                                    { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; }), body.faces.end());
+  }
+  const Indexed_triangles t = indexed(body);
   const auto model = make_model(t);
   double error = 0.;
   for(int f = 0; f < t.number_of_faces(); ++f)
@@ -951,11 +965,14 @@ int main()
   test_tangent_lines(1., 40., 1., 32, 8);
   test_tangent_lines(1., 40., 1., 24, 6);
   test_tangent_lines(1., 3., 1., 48, 12);
+  test_tangent_lines(5., 1., 0.1, 60, 8, true);
+  test_tangent_lines(5., 1., 0.5, 60, 8, true);
   test_rounded_box({{1.5, 1., 0.5}}, 0.2, 8);
   test_rounded_box({{1.5, 1., 0.5}}, 0.2, 16);
   test_rounded_box({{1.5, 1., 0.5}}, 0.02, 8);
   test_rounded_box({{5., 4., 2.5}}, 0.5, 5);
   test_rounded_box({{5., 4., 2.5}}, 0.5, 6);
+  test_rounded_box({{5., 4., 2.5}}, 1., 8);
   test_rounded_box({{5., 4., 2.5}}, 0.1, 8);
   test_mitred_tubes(analytic::pi / 2.);
   test_mitred_tubes(analytic::pi / 3.);

@@ -9,7 +9,9 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TANGENT_NODES_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_TANGENT_NODES_H
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Flat_regions.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Rises.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Scatter_of_normals.h>
 
 #include <algorithm>
@@ -39,6 +41,7 @@ class Tangent_nodes
   const Cut_mesh& m_cut_mesh;
   const std::vector<Node>& m_nodes;                   // with estimates of the normals
   const std::vector<Vector>& m_max_normals;
+  Flat_regions m_regions;
   std::vector<Vector> m_normals;
   std::vector<int> m_tangent;
   Neighbors_on_lines m_on_lines;
@@ -46,7 +49,7 @@ class Tangent_nodes
   // between edges of a node, or between rises of the surface over them: below the first one bulges over large facets
   // are about those over small ones
   static constexpr double least_ratio = 3.3, sure_ratio = 6.;
-  // of the area of the node's largest facet: from here on facets are large
+  // of the area of the node's largest facet: from here on facets are large; those of one flat region are as large as it
   static constexpr double large_part = 0.3;
   // Of a turn: the large facets agree with each other if their normals differ by less than the first along it, and do
   // not from the second on.
@@ -76,6 +79,7 @@ public:
   Tangent_nodes(const Indexed_triangles& surface, const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
                 const std::vector<Vector>& max_normals, const std::vector<bool>& is_given)
     : m_surface(surface), m_cut_mesh(cut_mesh), m_nodes(nodes), m_max_normals(max_normals)
+    , m_regions(surface, cut_mesh)
   {
     for(const Node& node : nodes)
       m_normals.push_back(node.normal);
@@ -109,7 +113,7 @@ public:
 
 private:
   const Vector& position(const int node) const { return m_nodes[node].position; }
-  double area(const int corner) const { return m_surface.area_vector(corner / 3).norm(); }
+  double area(const int corner) const { return m_regions.area(corner / 3); }
 
   // Fits look far, and err on both sides of a line; Max's normals are good where facets are regular.
   const Vector& neighbor_normal(const int node) const
@@ -143,29 +147,7 @@ private:
     }
   }
 
-  // how far the surface turns away from the node's tangent plane over its edges: the farthest, and what is usual
-  struct Rises
-  {
-    double largest = 0., usual = 0.;
-  };
-
-  Rises rises(const int i) const
-  {
-    Rises result;
-    double curvature = 0., sum = 0.;
-    for(const int j : m_cut_mesh.ring(i))
-    {
-      const Vector d = position(j) - position(i);
-      const double squared_length = d.squaredNorm(), rise = std::abs(m_nodes[i].normal.dot(d));
-      if(!(squared_length > 0.))
-        return Rises();
-      result.largest = (std::max)(result.largest, rise);
-      curvature = (std::max)(curvature, rise / squared_length);
-      sum += 1. / squared_length;
-    }
-    result.usual = curvature * m_cut_mesh.ring(i).size() / sum;
-    return result;
-  }
+  Rises rises(const int i) const { return find_rises(m_surface, m_cut_mesh, m_nodes, m_regions, i); }
 
   // From 0 to 1: does the surface rise over the long edges of the node by more than over its short ones?
   double excess_of_rise(const int i) const
@@ -370,8 +352,9 @@ private:
     {
       const Vector& direction = facets.directions[k];
       const double turn = turn_of_small(facets, normal, direction);
+      // at the other ends from the facets, not from here: nodes that lean in opposite ways would wait for each other
       if(!(turn > least_turn)
-         || !((std::max)(spread(facets, normal, direction), spread_at_ends(facets, normal, direction)) < agreeing * turn))
+         || !((std::max)(spread(facets, normal, direction), spread_at_ends(facets, facets.normal, direction)) < agreeing * turn))
         continue;
       is_along[k] = true;
       const Vector missing = (facets.normal - normal).dot(direction) * direction;
