@@ -195,9 +195,9 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
  * \ingroup PkgHermiteDiffuseRemeshingRef
  *
  * computes curvatures at one vertex of a triangle mesh, from the faces around it alone: the same values as
- * the function for all vertices, but for rounding.
+ * the function for all vertices, but for rounding, unless a crease or a flat side on which they depend is cut off.
  *
- * Takes time proportional to the number of faces within eight edges of the vertex.
+ * Takes time proportional to the number of faces within ten edges of the vertex.
  *
  * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -245,8 +245,8 @@ void hermite_diffuse_curvatures(const typename boost::graph_traits<TriangleMesh>
   const auto& pack = CGAL::Hermite_diffuse_remeshing::internal::pack(np);
   typedef Traits_of<TriangleMesh, std::decay_t<decltype(pack)> > GT;
 
-  // three rings for the fit, four for the normal of the outermost, one for the faces around it
-  constexpr int number_of_rings = 8;
+  // three rings for the fit, four for the normal of the outermost, three for flat sides around it
+  constexpr int number_of_rings = 10;
   const Input_mesh<TriangleMesh, GT> input = read_neighborhood<GT>(v, tmesh, number_of_rings, pack);
   Principal_curvatures k;
   if(!input.face_descriptors.empty())

@@ -12,7 +12,10 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Cut_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 
+#include <CGAL/number_type_basic.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -20,14 +23,18 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
-// Faces that lie in one plane and hang together across smooth edges. A flat side of a tessellated body is one, however it
-// was cut into triangles, and so is a plane quadrangle.
+// Faces that lie in one plane and hang together across smooth edges from rim to rim. A flat side of a tessellated body is
+// one region, however it was cut into triangles, and so is a plane quadrangle. Where a plane has vertices inside it is
+// meshed on purpose, and its faces are as large as they are.
 class Flat_regions
 {
   const Indexed_triangles& m_surface;
   std::vector<int> m_region;            // of the faces
   std::vector<double> m_area;           // of the regions, twice
 
+  // In sizes of a node: what of a region is farther away does not matter. So a part of the surface around the node tells as
+  // much of it as all.
+  static constexpr double largest_extent = 6.;
   // Of the longest side of two faces: if the tip of one is less above the other, rounding to single precision may have
   // put it there. An angle would not do: that of a needle is not known.
   static constexpr double rounding = 1e-6;
@@ -36,6 +43,16 @@ public:
   Flat_regions(const Indexed_triangles& surface, const Cut_mesh& cut_mesh)
     : m_surface(surface), m_region(surface.number_of_faces(), -1)
   {
+    std::vector<std::array<char, 3> > is_flat(surface.number_of_faces());             // of the sides
+    std::vector<char> is_at_rim(cut_mesh.number_of_nodes(), false);
+    for(int f = 0; f < surface.number_of_faces(); ++f)
+      for(int k = 0; k < 3; ++k)
+      {
+        const int neighbor = cut_mesh.neighbor(f, k);
+        is_flat[f][k] = neighbor != -1 && are_coplanar(f, neighbor);
+        if(!is_flat[f][k])
+          is_at_rim[cut_mesh.node(f, k)] = is_at_rim[cut_mesh.node(f, next(k))] = true;
+      }
     std::vector<int> faces;
     for(int seed = 0; seed < surface.number_of_faces(); ++seed)
     {
@@ -47,11 +64,14 @@ public:
       faces.assign(1, seed);
       for(std::size_t i = 0; i < faces.size(); ++i)
       {
-        m_area.back() += surface.area_vector(faces[i]).norm();
+        const int f = faces[i];
+        m_area.back() += surface.area_vector(f).norm();
         for(int k = 0; k < 3; ++k)
         {
-          const int neighbor = cut_mesh.neighbor(faces[i], k);
-          if(neighbor == -1 || m_region[neighbor] != -1 || !are_coplanar(faces[i], neighbor))
+          if(!is_flat[f][k] || !is_at_rim[cut_mesh.node(f, k)] || !is_at_rim[cut_mesh.node(f, next(k))])
+            continue;
+          const int neighbor = cut_mesh.neighbor(f, k);
+          if(m_region[neighbor] != -1)
             continue;
           m_region[neighbor] = region;
           faces.push_back(neighbor);
@@ -60,8 +80,12 @@ public:
     }
   }
 
-  // twice, of the region of a face
-  double area(const int face) const { return m_area[m_region[face]]; }
+  // twice, of the region of a face at a node of a size; a face alone may be larger
+  double area(const int face, const double size) const
+  {
+    return (std::max)(m_surface.area_vector(face).norm(),
+                      (std::min)(m_area[m_region[face]], 2. * CGAL::square(largest_extent * size)));
+  }
 
 private:
   // two faces with a common side

@@ -46,7 +46,7 @@ inline Rises find_rises(const Indexed_triangles& surface, const Cut_mesh& cut_me
   for(const int c : cut_mesh.corners(i))
   {
     const Vector normal = surface.area_vector(c / 3).stableNormalized();
-    const double extent = std::sqrt(regions.area(c / 3) / 2.);
+    const double extent = std::sqrt(regions.area(c / 3, nodes[i].size) / 2.);
     result.largest = (std::max)(result.largest, extent * nodes[i].normal.cross(normal).norm());
   }
   return result;

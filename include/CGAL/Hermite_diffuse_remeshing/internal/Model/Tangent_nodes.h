@@ -113,7 +113,8 @@ public:
 
 private:
   const Vector& position(const int node) const { return m_nodes[node].position; }
-  double area(const int corner) const { return m_regions.area(corner / 3); }
+  // twice, of the facet of a corner
+  double area(const int corner, const int node) const { return m_regions.area(corner / 3, m_nodes[node].size); }
 
   // Fits look far, and err on both sides of a line; Max's normals are good where facets are regular.
   const Vector& neighbor_normal(const int node) const
@@ -173,13 +174,13 @@ private:
     Large_facets result = {i, m_nodes[i].normal, {}, {}, {}, {}, false};
     double largest = 0.;
     for(const int c : m_cut_mesh.corners(i))
-      largest = (std::max)(largest, area(c));
+      largest = (std::max)(largest, area(c, i));
     // Max's weights times the third power of the area: those of long facets of a cylinder balance, and strips along the
     // sides of a plane count little
     Vector sum = Vector::Zero();
     visit_fan(m_surface, m_cut_mesh, i, [&](const int c, const Vector& u, const Vector& v)
     {
-      const double part = area(c) / largest;
+      const double part = area(c, i) / largest;
       sum += part * part * part * max_weight(u, v) * u.cross(v);
       const bool is_large = part >= large_part;
       if(is_large)
