@@ -2,6 +2,7 @@
 
 #include "test_helpers.h"
 
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Refinement_attempts.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <cstdlib>
@@ -328,6 +329,30 @@ void test_bound_beyond_face_cap()
   check_result(input, mesh);
 }
 
+// Where refining has failed is found again among as many places over one face as the mesh may have faces: a look at all
+// of them for each would take hours.
+void test_refinement_attempts()
+{
+  std::cout << "refinement attempts" << std::endl;
+  constexpr int number_at_side = 600;
+  constexpr double step = 1. / number_at_side, bound = 1.;
+  HDR::internal::Refinement_attempts attempts(1.);
+  const auto count_hopeless = [&](const double deviation)
+  {
+    const std::array<int, 1> reference_faces = {{0}};
+    attempts.begin_round();
+    int number = 0;
+    for(int i = 0; i < number_at_side; ++i)
+      for(int j = 0; j < number_at_side; ++j)
+        number += attempts.is_hopeless(reference_faces, HDR::internal::Vector(i * step, j * step, 0.), step / 2.,
+                                       deviation, bound);
+    return number;
+  };
+  for(const double deviation : {8., 4., 3.9, 3.9})
+    assert(count_hopeless(deviation) == 0);
+  assert(count_hopeless(3.9) == number_at_side * number_at_side);
+}
+
 // vertices of a degree that nothing may take the cube of
 void test_high_degree()
 {
@@ -527,6 +552,7 @@ int main()
   test_face_cap();
   test_early_stop();
   test_bound_beyond_face_cap();
+  test_refinement_attempts();
   test_high_degree();
   test_row_of_needles();
   test_needles_across_curvature();

@@ -52,7 +52,7 @@ class Deviation_refiner
 public:
   Deviation_refiner(Mesh& mesh, Size_map& sizes, const double maximum_deviation)
     : m_mesh(mesh), m_sizes(sizes), m_maximum_deviation(maximum_deviation), m_bound(maximum_deviation)
-    , m_limit(maximum_deviation)
+    , m_limit(maximum_deviation), m_attempts(model_diameter(mesh.reference().surface.triangles()))
   {}
 
   // would it take more faces than there may be to meet the bound?
