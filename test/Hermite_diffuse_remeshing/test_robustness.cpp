@@ -353,6 +353,26 @@ void test_refinement_attempts()
   assert(count_hopeless(3.9) == number_at_side * number_at_side);
 }
 
+// A lens with a sharp rim of few edges, whose arcs lie beyond the narrow facets beside them by half the height of these:
+// distances to the model are found there, and no faces are refined for nothing.
+void test_rim_of_lens()
+{
+  std::cout << "rim of a lens" << std::endl;
+  constexpr int number_of_rings = 24;
+  constexpr double height = 0.02, diagonal = 2.83;
+  std::vector<std::array<double, 2> > profile;
+  for(int i = 0; i <= number_of_rings; ++i)
+  {
+    const double angle = CGAL_PI * i / number_of_rings;
+    profile.push_back({{i % number_of_rings == 0 ? 0. : std::sin(angle), -height * std::cos(angle)}});
+  }
+  analytic::Random random(1);
+  Surface_mesh mesh = make_mesh<Surface_mesh>(analytic::surface_of_revolution(32, profile, random));
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::maximum_deviation(5e-3 * diagonal));
+  assert(report.is_maximum_deviation_met && report.number_of_deviation_rounds == 0);
+  assert(report.largest_deviation < 1e-3 * diagonal);
+}
+
 // vertices of a degree that nothing may take the cube of
 void test_high_degree()
 {
@@ -553,6 +573,7 @@ int main()
   test_early_stop();
   test_bound_beyond_face_cap();
   test_refinement_attempts();
+  test_rim_of_lens();
   test_high_degree();
   test_row_of_needles();
   test_needles_across_curvature();

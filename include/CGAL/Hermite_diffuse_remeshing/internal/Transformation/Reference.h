@@ -77,14 +77,18 @@ struct Reference
 
   // Distance of p to the surface near a location. The locator knows the fit without the displacement, so
   // it is asked for the foot of p minus the displacement at the last foot. Each foot gives a distance,
-  // of which the smallest counts: this converges fast where the displacement is small against the face.
+  // of which the smallest counts: this converges fast where the displacement is small against the face. Where it
+  // changes faster than the place, as from a few edges to their arc over a narrow face beside them, each foot would be
+  // farther off than the last: where the change does not halve, a step is Anderson's, as in `locate()`.
   Nearest nearest(const Vector& p, const Location& start, const double tolerance) const
   {
     constexpr int maximum_number_of_steps = 10;
     constexpr double part_of_distance = 0.01;   // no more is promised of a distance that is an upper bound
+    constexpr double slow_contraction = 0.5;
     Nearest best{start, std::numeric_limits<double>::infinity()};
     Reference_locator::Projection projection = locator.start_at(start);
-    Vector displaced = displacement_of(start, projection.quadric);
+    Vector displaced = displacement_of(start, projection.quadric), last_image = displaced;
+    Vector last_change = Vector::Zero();
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
       projection = locator.project_from(p - displaced, projection, tolerance, part_of_distance);
@@ -93,13 +97,18 @@ struct Reference
       // what is left along the surface when Newton's method has converged is no distance
       if(projection.is_foot)
         gap = gap.dot(normal) * normal;
-      const Vector change = displacement_of(projection.location, projection.quadric) - displaced;
+      const Vector image = displacement_of(projection.location, projection.quadric), change = image - displaced;
       const double distance = (gap - change).norm();
       if(distance < best.distance)
         best = {projection.location, distance, gap - change, projection.quadric};
       if(change.norm() <= tolerance * distance)
         break;
-      displaced += change;
+      const Vector difference = change - last_change;
+      const bool is_slow = step > 0 && change.norm() > slow_contraction * last_change.norm();
+      const double norm = difference.squaredNorm(), memory = is_slow && norm > 0. ? change.dot(difference) / norm : 0.;
+      displaced = image - memory * (image - last_image);
+      last_image = image;
+      last_change = change;
     }
     return best;
   }
