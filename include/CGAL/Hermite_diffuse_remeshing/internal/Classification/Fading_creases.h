@@ -32,6 +32,7 @@ class Fading_creases
   const std::vector<char>& m_may_be_sharp;            // of the edges: the user says nothing of them
   std::vector<Edge_class>& m_classes;
   std::vector<int> m_number_of_features;              // of the vertices
+  std::vector<char> m_is_in_seam;                     // of the edges: has been gone along
 
   // Of facets, in lengths of their edges in the seam: of shorter ones the swelling is no more than a few sagittas of
   // well-shaped triangles.
@@ -61,6 +62,7 @@ public:
     if(ends.empty())
       return;
     const std::vector<std::vector<int> > edges_of_vertex = edges_between_long_facets();
+    m_is_in_seam.assign(m_edges.number_of_edges(), false);
     for(const int e : ends)
       for(const int v : m_edges.vertices(e))
         if(m_number_of_features[v] == 1)
@@ -107,30 +109,41 @@ private:
 
   void close_from(const int crease, const int end, const std::vector<std::vector<int> >& edges_of_vertex)
   {
-    std::vector<int> seam(1, crease);
-    for(int v = end; seam.size() == 1 || !is_feature(m_classes[seam.back()]); )
+    std::vector<int> seam;
+    int v = end, last = crease;
+    do
     {
-      const Vector ahead = -direction_from(v, seam.back());
-      int straightest = -1;
-      double cosine = least_cosine;
-      for(const int e : edges_of_vertex[v])
-        if(ahead.dot(direction_from(v, e)) > cosine)
-        {
-          cosine = ahead.dot(direction_from(v, e));
-          straightest = e;
-        }
-      if(straightest == -1 || std::find(seam.begin(), seam.end(), straightest) != seam.end())
-        return;
-      seam.push_back(straightest);
-      v = m_edges.opposite_vertex(straightest, v);
+      seam.push_back(last);
+      m_is_in_seam[last] = true;
+      last = straightest(v, -direction_from(v, last), edges_of_vertex[v]);
+      if(last != -1)
+        v = m_edges.opposite_vertex(last, v);
     }
+    while(last != -1 && !m_is_in_seam[last] && !is_feature(m_classes[last]));
+    const bool is_closed = last != -1 && !m_is_in_seam[last];
     for(const int e : seam)
-      if(!is_feature(m_classes[e]))
+    {
+      m_is_in_seam[e] = false;
+      if(!is_closed || is_feature(m_classes[e]))
+        continue;
+      m_classes[e] = SHARP_EDGE;
+      for(const int w : m_edges.vertices(e))
+        ++m_number_of_features[w];
+    }
+  }
+
+  // of some edges of a vertex, the one that goes on in a direction; -1 if none does
+  int straightest(const int v, const Vector& ahead, const std::vector<int>& edges) const
+  {
+    int result = -1;
+    double cosine = least_cosine;
+    for(const int e : edges)
+      if(ahead.dot(direction_from(v, e)) > cosine)
       {
-        m_classes[e] = SHARP_EDGE;
-        for(const int v : m_edges.vertices(e))
-          ++m_number_of_features[v];
+        cosine = ahead.dot(direction_from(v, e));
+        result = e;
       }
+    return result;
   }
 };
 
