@@ -169,14 +169,7 @@ void test_fading_creases()
   const auto tubes = [](const int columns, const int rows, const double bend)
   {
     analytic::Random random(1);
-    const analytic::Triangles t =
-      analytic::mitred_tubes(columns, rows, radius, length, Classification::radians(bend), random);
-    Indexed_triangles result;
-    for(const analytic::Point& p : t.points)
-      result.points.push_back(Vector(p[0], p[1], p[2]));
-    for(const auto& f : t.faces)
-      result.triangles.push_back({{int(f[0]), int(f[1]), int(f[2])}});
-    return result;
+    return indexed(analytic::mitred_tubes(columns, rows, radius, length, Classification::radians(bend), random));
   };
   for(const int columns : {15, 16, 33, 64})
     for(const double bend : {55., 90., 120.})

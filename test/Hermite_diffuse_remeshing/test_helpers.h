@@ -29,6 +29,16 @@ typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point_3;
 typedef CGAL::Surface_mesh<Point_3> Surface_mesh;
 
+inline HDR::internal::Indexed_triangles indexed(const analytic::Triangles& triangles)
+{
+  HDR::internal::Indexed_triangles result;
+  for(const analytic::Point& p : triangles.points)
+    result.points.push_back(HDR::internal::Vector(p[0], p[1], p[2]));
+  for(const auto& f : triangles.faces)
+    result.triangles.push_back({{int(f[0]), int(f[1]), int(f[2])}});
+  return result;
+}
+
 template <typename Mesh>
 Mesh read_data(const std::string& name)
 {

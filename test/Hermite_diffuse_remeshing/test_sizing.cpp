@@ -99,16 +99,6 @@ struct Sized_model
   {}
 };
 
-Indexed_triangles indexed(const analytic::Triangles& triangles)
-{
-  Indexed_triangles result;
-  for(const analytic::Point& p : triangles.points)
-    result.points.push_back(Vector(p[0], p[1], p[2]));
-  for(const auto& f : triangles.faces)
-    result.triangles.push_back({{int(f[0]), int(f[1]), int(f[2])}});
-  return result;
-}
-
 void test_torus_sizes()
 {
   const analytic::Torus torus;

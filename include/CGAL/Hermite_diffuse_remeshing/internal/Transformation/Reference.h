@@ -37,6 +37,15 @@ struct Site
   bool has_normal() const { return normal != Vector::Zero(); }
 };
 
+// The part of the last image that Anderson's iteration x = G(x) with one step of memory takes in place of this one's, from
+// the steps G(x) - x of now and of before.
+inline double memory_of_step(const Vector& step, const Vector& last_step)
+{
+  const Vector change = step - last_step;
+  const double norm = change.squaredNorm();
+  return norm > 0. ? step.dot(change) / norm : 0.;
+}
+
 // All that is known of the input, frozen: what the working mesh is adapted to.
 struct Reference
 {
@@ -103,9 +112,8 @@ struct Reference
         best = {projection.location, distance, gap - change, projection.quadric};
       if(change.norm() <= tolerance * distance)
         break;
-      const Vector difference = change - last_change;
       const bool is_slow = step > 0 && change.norm() > slow_contraction * last_change.norm();
-      const double norm = difference.squaredNorm(), memory = is_slow && norm > 0. ? change.dot(difference) / norm : 0.;
+      const double memory = is_slow ? memory_of_step(change, last_change) : 0.;
       displaced = image - memory * (image - last_image);
       last_image = image;
       last_change = change;
@@ -129,10 +137,10 @@ struct Reference
       if(moved == Vector::Zero())
         break;
       const Location image_location = locator.walk(p - moved, location.face);
-      const Vector image = triangles.point(image_location), step = image - at, change = step - last_step;
+      const Vector image = triangles.point(image_location), step = image - at;
       if(step.norm() <= tolerance * moved.norm())
         break;
-      const double norm = change.squaredNorm(), memory = i > 0 && norm > 0. ? step.dot(change) / norm : 0.;
+      const double memory = i > 0 ? memory_of_step(step, last_step) : 0.;
       location = memory == 0. ? image_location
                               : locator.walk(image - memory * (image - last_image), image_location.face);
       at = triangles.point(location);
