@@ -123,7 +123,7 @@ Local_quadric bare_fit(const Reference_surface& surface, const Location& locatio
   surface.visit_weights(location, [&](const int i, const double weight)
   {
     const Node& node = surface.node(i);
-    const double omega = interpolating_weight(weight, 2);
+    const double omega = interpolating_weights(Eigen::Array2d(weight, weight), 2)[0];
     largest = (std::max)(largest, omega);
     ++number_of_nodes;
     const Vector d = (node.position - result.origin) / result.size, n = node.normal;

@@ -70,9 +70,15 @@ void for_each_index(const int n, const bool is_parallel, const MakeWorker& make_
 #endif
   CGAL_USE(is_parallel);
   CGAL_USE(least_number);
+  // a question costs as much as the cheapest of our workers
+  constexpr int steps_per_question = 16;
   auto worker = make_worker();
-  for(int i = 0; i < n; ++i, progress(double(i) / n))
+  for(int i = 0; i < n; ++i)
+  {
     worker(i);
+    if((i + 1) % steps_per_question == 0 || i + 1 == n)
+      progress(double(i + 1) / n);
+  }
 }
 
 } // namespace internal

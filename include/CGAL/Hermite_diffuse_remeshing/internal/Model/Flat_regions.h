@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/Cut_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <CGAL/number_type_basic.h>
 
@@ -40,19 +41,26 @@ class Flat_regions
   static constexpr double rounding = 1e-6;
 
 public:
-  Flat_regions(const Indexed_triangles& surface, const Cut_mesh& cut_mesh)
+  Flat_regions(const Indexed_triangles& surface, const Cut_mesh& cut_mesh, const bool is_parallel, const Progress& progress)
     : m_surface(surface), m_region(surface.number_of_faces(), -1)
   {
     std::vector<std::array<char, 3> > is_flat(surface.number_of_faces());             // of the sides
+    for_each_index(surface.number_of_faces(), is_parallel, [&]
+    {
+      return [&](const int f)
+      {
+        for(int k = 0; k < 3; ++k)
+        {
+          const int neighbor = cut_mesh.neighbor(f, k);
+          is_flat[f][k] = neighbor != -1 && are_coplanar(f, neighbor);
+        }
+      };
+    }, progress);
     std::vector<char> is_at_rim(cut_mesh.number_of_nodes(), false);
     for(int f = 0; f < surface.number_of_faces(); ++f)
       for(int k = 0; k < 3; ++k)
-      {
-        const int neighbor = cut_mesh.neighbor(f, k);
-        is_flat[f][k] = neighbor != -1 && are_coplanar(f, neighbor);
         if(!is_flat[f][k])
           is_at_rim[cut_mesh.node(f, k)] = is_at_rim[cut_mesh.node(f, next(k))] = true;
-      }
     std::vector<int> faces;
     for(int seed = 0; seed < surface.number_of_faces(); ++seed)
     {

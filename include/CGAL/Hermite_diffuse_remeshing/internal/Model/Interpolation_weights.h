@@ -11,6 +11,9 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
+
+#include <Eigen/Core>
 
 #include <boost/container/small_vector.hpp>
 
@@ -41,7 +44,6 @@ class Interpolation_weights
     // the corner that is the node, and a bit, from 4 on, for each of those that share an edge with it
     unsigned char corners;
   };
-  typedef boost::container::small_vector<Influence, largest_number> Influences;
 
   // packed: of each face, by the number of the node
   std::vector<int> m_nodes;
@@ -51,24 +53,23 @@ class Interpolation_weights
 
 public:
   Interpolation_weights(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int number_of_faces,
-                        Neighbors_on_lines on_lines, const Progress& progress)
+                        Neighbors_on_lines on_lines, const bool is_parallel, const Progress& progress)
     : m_first(1, 0), m_on_lines(std::move(on_lines))
   {
     const std::size_t most = largest_total(cut_mesh, number_of_faces);
     m_nodes.reserve(most);
     m_corners.reserve(most);
     m_first.reserve(number_of_faces + 1);
-    Influences influences;
-    for(int f = 0; f < number_of_faces; ++f, progress(0.))
+    // faces of which the influences are found before they are entered, at one time
+    constexpr int block_size = 2048;
+    std::vector<std::vector<Influence> > of_faces((std::min)(block_size, number_of_faces));
+    for(int first = 0; first < number_of_faces; first += block_size)
     {
-      collect(cut_mesh, nodes, f, influences);
-      if(influences.size() <= largest_number)
-        for(const Influence& influence : influences)
-        {
-          m_nodes.push_back(influence.node);
-          m_corners.push_back(influence.corners);
-        }
-      m_first.push_back(m_nodes.size());
+      const int number = (std::min)(block_size, number_of_faces - first);
+      for_each_index(number, is_parallel, [&]
+      { return [&](const int i) { collect(cut_mesh, nodes, first + i, of_faces[i]); }; }, progress.part(0., 0.));
+      for(int i = 0; i < number; ++i)
+        enter(of_faces[i]);
     }
   }
 
@@ -103,13 +104,25 @@ public:
         visit_one(m_nodes[i], m_corners[i]);
       return;
     }
-    Influences influences;
+    boost::container::small_vector<Influence, largest_number> influences;
     collect(cut_mesh, nodes, location.face, influences);
     for(const Influence& influence : influences)
       visit_one(influence.node, influence.corners);
   }
 
 private:
+  // of the next face
+  void enter(const std::vector<Influence>& influences)
+  {
+    if(influences.size() <= largest_number)
+      for(const Influence& influence : influences)
+      {
+        m_nodes.push_back(influence.node);
+        m_corners.push_back(influence.corners);
+      }
+    m_first.push_back(m_nodes.size());
+  }
+
   // each side of a face joins two of its corners
   static std::size_t largest_total(const Cut_mesh& cut_mesh, const int number_of_faces)
   {
@@ -132,6 +145,7 @@ private:
   }
 
   // A node that several corners know is met several times at first: looking for it would take the square of the degree.
+  template <typename Influences>
   void collect(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int face, Influences& result) const
   {
     result.clear();
@@ -157,15 +171,15 @@ private:
 };
 
 // omega = (w/(1-w))^exponent, bounded: makes a fit interpolate the node where w is 1. Exponent 1 is
-// the paper's and leaves a small cone point at every node; exponent 2 removes it.
-inline double interpolating_weight(const double w, const int exponent)
+// the paper's and leaves a small cone point at every node; exponent 2 removes it. For two nodes at once.
+inline Eigen::Array2d interpolating_weights(const Eigen::Array2d& w, const int exponent)
 {
   // a ratio of 4e8, or 1e8, between a node and its ring, which closes the gap to 1e-9 of an edge and turns
   // the normal by less than 1e-8 while the normal equations stay well conditioned
   constexpr double least_complement_squared = 5e-5, least_complement = 1e-8;
   if(exponent == 1)
-    return w / (std::max)(1. - w, least_complement);
-  const double ratio = w / (std::max)(1. - w, least_complement_squared);
+    return w / (1. - w).max(least_complement);
+  const Eigen::Array2d ratio = w / (1. - w).max(least_complement_squared);
   return ratio * ratio;
 }
 

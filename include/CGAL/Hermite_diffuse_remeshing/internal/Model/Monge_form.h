@@ -11,6 +11,8 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 
+#include <boost/config.hpp>
+
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -80,7 +82,7 @@ private:
 };
 
 // a unit vector normal to the unit vector z, a function of z alone
-inline Vector any_normal(const Vector& z)
+BOOST_FORCEINLINE Vector any_normal(const Vector& z)
 {
   int smallest = 0;
   z.cwiseAbs().minCoeff(&smallest);

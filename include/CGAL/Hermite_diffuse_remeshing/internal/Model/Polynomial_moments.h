@@ -11,6 +11,8 @@
 
 #include <Eigen/Core>
 
+#include <boost/config.hpp>
+
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -20,15 +22,17 @@ namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {
 
+// What follows is inlined at any price: compilers that count it as a large function would leave it out in programs of some
+// size, and values in registers would go through the memory.
 template <int First, typename Visit, int... Index>
-inline void visit_constants(const Visit& visit, std::integer_sequence<int, Index...>)
+BOOST_FORCEINLINE void visit_constants(const Visit& visit, std::integer_sequence<int, Index...>)
 {
   (visit(std::integral_constant<int, First + Index>()), ...);
 }
 
 // calls `visit` with the integers from First to Last - 1 as types, which leaves no loop and no recursion to be inlined
 template <int First, int Last, typename Visit>
-inline void for_each_constant(const Visit& visit)
+BOOST_FORCEINLINE void for_each_constant(const Visit& visit)
 {
   visit_constants<First>(visit, std::make_integer_sequence<int, (First < Last ? Last - First : 0)>());
 }
@@ -46,7 +50,7 @@ constexpr int order_of(const int monomial)
 
 // m[0] is set already; of a number, or of two at once. Each order is made of the one below.
 template <typename Number, std::size_t Size>
-inline void find_monomials(const Number& x, const Number& y, std::array<Number, Size>& m)
+BOOST_FORCEINLINE void find_monomials(const Number& x, const Number& y, std::array<Number, Size>& m)
 {
   for_each_constant<1, order_of(static_cast<int>(Size))>([&](const auto index)
   {

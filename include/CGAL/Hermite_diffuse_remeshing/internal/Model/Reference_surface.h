@@ -123,7 +123,8 @@ public:
       m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)),
       m_weights(m_cut_mesh, m_nodes, m_triangles.number_of_faces(),
                 estimate_node_normals(m_triangles, m_cut_mesh, options.normals, known_normals, options.is_parallel,
-                                      progress, m_nodes), progress.part(0., 0.)), m_options(options)
+                                      progress, m_nodes), options.is_parallel, progress.part(0., 0.))
+    , m_options(options)
   {
     if(!options.is_solved_at_centroids)
       return;
@@ -320,14 +321,6 @@ double Reference_surface::fit_of_degree(const Location& location, const Blended&
   const double inverse_size = 1. / result.size;
   Local_polynomial<Degree> polynomial;
   double total_weight = 0.;
-  const auto weight_of_node = [&](const Node& node, const double weight)
-  {
-    double omega = interpolating_weight(weight, m_options.exponent);
-    if(blended.apex_share > 0. && node.has_normal())
-      omega *= 1. - blended.apex_share * (1. - agreement(node.normal.dot(result.z_axis)));
-    total_weight += (std::min)(1., omega);
-    return omega;
-  };
   const auto add_two_nodes = [&](const Node& a, const Node& b, const double weight_of_a, const double weight_of_b)
   {
     // in steps, which compilers inline in larger programs, too
@@ -345,10 +338,12 @@ double Reference_surface::fit_of_degree(const Location& location, const Blended&
       n[i] = Pair(a.normal[i], b.normal[i]);
     }
     const Pair x = along(d, result.x_axis), y = along(d, result.y_axis), z = along(d, result.z_axis);
-    // one after the other: compilers differ in the order in which they evaluate arguments
-    const double omega_of_a = weight_of_node(a, weight_of_a), omega_of_b = weight_of_node(b, weight_of_b);
-    const Pair omega(omega_of_a, omega_of_b);
     const Pair nz = along(n, result.z_axis);
+    Pair omega = interpolating_weights(Pair(weight_of_a, weight_of_b), m_options.exponent);
+    if(blended.apex_share > 0.)
+      omega *= 1. - blended.apex_share * (1. - Pair(a.has_normal() ? agreement(nz[0]) : 1., b.has_normal() ? agreement(nz[1]) : 1.));
+    total_weight += (std::min)(1., omega[0]);
+    total_weight += (std::min)(1., omega[1]);
     const Pair trusted = omega * Pair(trust(nz[0]), trust(nz[1]));
     const Pair minus_inverse_nz = -1. / nz.max(least_cosine);
     // The combined equation multiplies errors of slopes by the distance, those of positions by the

@@ -13,6 +13,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Node_data.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Rises.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Scatter_of_normals.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/selected_elements.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -77,28 +79,31 @@ class Tangent_nodes
 public:
   // given normals stay
   Tangent_nodes(const Indexed_triangles& surface, const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
-                const std::vector<Vector>& max_normals, const std::vector<bool>& is_given)
+                const std::vector<Vector>& max_normals, const std::vector<bool>& is_given, const bool is_parallel,
+                const Progress& progress)
     : m_surface(surface), m_cut_mesh(cut_mesh), m_nodes(nodes), m_max_normals(max_normals)
-    , m_regions(surface, cut_mesh)
+    , m_regions(surface, cut_mesh, is_parallel, progress)
   {
     for(const Node& node : nodes)
       m_normals.push_back(node.normal);
-    lean_on_large_facets(is_given);
+    std::vector<int> all(cut_mesh.number_of_nodes());
+    std::iota(all.begin(), all.end(), 0);
+    const std::vector<int> suspicious = selected_elements(all, is_parallel, [&](const int i)
+    { return nodes[i].has_normal() && !is_given[i] && excess_of_rise(i) > 0.; }, progress);
+    lean_on_large_facets(suspicious);
     std::vector<Vector> settled = m_normals;
-    for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
-      if(nodes[i].has_normal() && has_edges_of_different_lengths(i))
-      {
-        const Large_facets facets = large_facets(i);
-        if(!is_tangent(facets, settled[i]))
-          continue;
-        m_tangent.push_back(i);
-        std::vector<int> on_lines;
-        std::set_intersection(facets.neighbors.begin(), facets.neighbors.end(), facets.other_neighbors.begin(),
-                              facets.other_neighbors.end(), std::back_inserter(on_lines));
-        if(!is_corner_of_lines(i, on_lines))
-          for(const int j : on_lines)
-            m_on_lines.emplace_back(i, j);
-      }
+    m_tangent = selected_elements(all, is_parallel, [&](const int i)
+    { return nodes[i].has_normal() && has_edges_of_different_lengths(i) && is_tangent(large_facets(i), settled[i]); }, progress);
+    for(const int i : m_tangent)
+    {
+      const Large_facets facets = large_facets(i);
+      std::vector<int> on_lines;
+      std::set_intersection(facets.neighbors.begin(), facets.neighbors.end(), facets.other_neighbors.begin(),
+                            facets.other_neighbors.end(), std::back_inserter(on_lines));
+      if(!is_corner_of_lines(i, on_lines))
+        for(const int j : on_lines)
+          m_on_lines.emplace_back(i, j);
+    }
     for(const int i : m_tangent)
       if(!is_given[i])
         m_normals[i] = settled[i];
@@ -123,15 +128,12 @@ private:
   }
 
   // Jacobi's sweeps: the nodes at both ends of a facet wait for each other
-  void lean_on_large_facets(const std::vector<bool>& is_given)
+  void lean_on_large_facets(const std::vector<int>& suspicious)
   {
     std::vector<Candidate> candidates;
-    for(int i = 0; i < m_cut_mesh.number_of_nodes(); ++i)
+    for(const int i : suspicious)
     {
-      const double suspicion = m_nodes[i].has_normal() && !is_given[i] ? excess_of_rise(i) : 0.;
-      if(!(suspicion > 0.))
-        continue;
-      Candidate candidate = {large_facets(i), suspicion};
+      Candidate candidate = {large_facets(i), excess_of_rise(i)};
       if(!candidate.facets.other_neighbors.empty())
         candidates.push_back(std::move(candidate));
     }

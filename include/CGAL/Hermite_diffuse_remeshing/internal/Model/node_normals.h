@@ -102,10 +102,11 @@ inline Vector given_normal(const std::vector<Vector>& vertex_normals, const Cut_
 // Sets the normals of tangent nodes, and fits those of the nodes near them anew, on their side of the lines alone.
 inline Neighbors_on_lines mend_normals_at_tangent_lines(const Indexed_triangles& surface, const Cut_mesh& cut_mesh,
                                                         const std::vector<Vector>& max_normals,
-                                                        const std::vector<bool>& is_given, std::vector<Node>& nodes,
+                                                        const std::vector<bool>& is_given, const bool is_parallel,
+                                                        const Progress& progress, std::vector<Node>& nodes,
                                                         std::vector<double>& signal_over_noise)
 {
-  const Tangent_nodes tangent_nodes(surface, cut_mesh, nodes, max_normals, is_given);
+  const Tangent_nodes tangent_nodes(surface, cut_mesh, nodes, max_normals, is_given, is_parallel, progress);
   std::vector<bool> is_near(nodes.size(), false);
   for(const int i : tangent_nodes.nodes())
   {
@@ -153,9 +154,14 @@ inline Neighbors_on_lines estimate_node_normals(const Indexed_triangles& surface
 {
   const int n = cut_mesh.number_of_nodes();
   std::vector<Vector> normals(n, Vector::Zero());
-  for(int i = 0; i < n; ++i)
-    if(!nodes[i].is_singular)
-      normals[i] = fan_normal(surface, cut_mesh, i, estimation == AREA_NORMALS);
+  for_each_index(n, is_parallel, [&]
+  {
+    return [&](const int i)
+    {
+      if(!nodes[i].is_singular)
+        normals[i] = fan_normal(surface, cut_mesh, i, estimation == AREA_NORMALS);
+    };
+  }, progress.part(0., 0.));
 
   std::vector<bool> is_given(n);
   for(int i = 0; i < n; ++i)
@@ -190,7 +196,8 @@ inline Neighbors_on_lines estimate_node_normals(const Indexed_triangles& surface
   for_each_index(n, is_parallel, make_worker, progress);
   Neighbors_on_lines on_lines;
   if(estimation == FITTED_NORMALS)
-    on_lines = mend_normals_at_tangent_lines(surface, cut_mesh, normals, is_given, nodes, signal_over_noise);
+    on_lines = mend_normals_at_tangent_lines(surface, cut_mesh, normals, is_given, is_parallel, progress.part(1., 1.), nodes,
+                                             signal_over_noise);
 
   // Combined equations remove the influence of terms of order four and amplify noise. A single ratio is
   // uncertain: the mean over the ring tells noise, 1.3, from meshes without, 4 on the coarsest.

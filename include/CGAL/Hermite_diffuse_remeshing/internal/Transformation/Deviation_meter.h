@@ -15,13 +15,14 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/measure_edge.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/select_vertices.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/selected_elements.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -177,8 +178,14 @@ private:
   {
     m_gaps.assign(m_deviations.faces.size(), Face_gaps());
     m_normals.assign(m_deviations.faces.size(), Vector::Zero());
-    for(const int f : m_new_faces)
-      m_normals[f] = area_vector(m_mesh.triangle(m_deviations.faces[f].face)).stableNormalized();
+    for_each_index(static_cast<int>(m_new_faces.size()), m_mesh.is_parallel(), [&]
+    {
+      return [&](const int i)
+      {
+        const int f = m_new_faces[i];
+        m_normals[f] = area_vector(m_mesh.triangle(m_deviations.faces[f].face)).stableNormalized();
+      };
+    }, m_mesh.progress());
     measure_edges();
     measure_vertices();
     find_second_look();
@@ -303,14 +310,13 @@ private:
           && m_gaps[f].bound() > part_of_ridges * m_second_look
           && largest_rise * (m_gaps[f].bound() + m_gaps[f].ridge) > m_second_look;
     };
-    std::vector<int> high_faces;
-    std::copy_if(m_new_faces.begin(), m_new_faces.end(), std::back_inserter(high_faces), [&](const int f)
+    const std::vector<int> high_faces = selected_elements(m_new_faces, m_mesh.is_parallel(), [&](const int f)
     {
       const auto sides = CGAL::halfedges_around_face(halfedge(m_deviations.faces[f].face, tm), tm);
       // what is too high at an edge is so for both its faces
       return is_high(f) || std::any_of(sides.begin(), sides.end(), [&](const halfedge_descriptor h)
                                        { return is_high(index_at(opposite(h, tm))); });
-    });
+    }, m_mesh.progress());
     measure_at(high_faces, [&](const int f) { return ridge_points_over_face(m_mesh, m_deviations.faces[f].face); },
                [&](const int f, const std::vector<Ridge_point>& points)
     {
@@ -365,14 +371,13 @@ private:
 
   void measure_peaks()
   {
-    std::vector<int> high_faces;
-    std::copy_if(m_new_faces.begin(), m_new_faces.end(), std::back_inserter(high_faces), [&](const int f)
+    const std::vector<int> high_faces = selected_elements(m_new_faces, m_mesh.is_parallel(), [&](const int f)
     {
       if(m_gaps[f].bound() <= m_second_look)
         return false;
       const double height = std::abs(m_gaps[f](m_gaps[f].peak()));
       return height > m_second_look && m_deviations.raised * height > m_deviations.faces[f].deviation;
-    });
+    }, m_mesh.progress());
     measure_at(high_faces, [&](const int f) { return nearest_at(f, m_gaps[f].peak()); },
                [&](const int f, const Reference::Nearest& nearest)
                { m_deviations.add(point_of_face(f, m_gaps[f].peak()), nearest.distance, nearest.location, {f}); });

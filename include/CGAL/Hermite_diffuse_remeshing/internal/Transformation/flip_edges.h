@@ -13,11 +13,13 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/is_free.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/legality.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/propose_and_accept.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/selected_elements.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -92,7 +94,7 @@ bool is_flip_topologically_legal(const Working_mesh<UserMesh>& mesh,
 }
 
 // Excesses of faces, which flips ask for again and again. Those of vertices inside the surface are remembered, and
-// follow the flips.
+// follow the flips. Several threads may ask at the same time: those that find out the same excess remember it alike.
 template <typename UserMesh>
 class Face_excesses
 {
@@ -100,13 +102,17 @@ class Face_excesses
   typedef typename Mesh::halfedge_descriptor halfedge_descriptor;
 
   const Mesh& m_mesh;
-  std::vector<int> m_excesses;          // by the number of the vertex
+  std::vector<std::atomic<int> > m_excesses;          // by the number of the vertex
 
   // of a vertex that has not been asked for yet, and of one that has other sectors at other edges
   static constexpr int unknown = (std::numeric_limits<int>::max)(), by_sector = unknown - 1;
 
 public:
-  explicit Face_excesses(const Mesh& mesh) : m_mesh(mesh), m_excesses(mesh.number_of_vertex_slots(), unknown) {}
+  explicit Face_excesses(const Mesh& mesh) : m_mesh(mesh), m_excesses(mesh.number_of_vertex_slots())
+  {
+    for(std::atomic<int>& excess : m_excesses)
+      excess.store(unknown, std::memory_order_relaxed);
+  }
 
   // the change of the sum of squares of the excesses by the flip of an edge
   int gain_of_flip(const halfedge_descriptor h) const
@@ -148,25 +154,30 @@ public:
 
 private:
   int number(const halfedge_descriptor h) const { return m_mesh.index(target(h, m_mesh.tmesh())); }
-  bool is_remembered(const halfedge_descriptor h) const { return m_excesses[number(h)] < by_sector; }
+  int remembered(const halfedge_descriptor h) const { return m_excesses[number(h)].load(std::memory_order_relaxed); }
 
   bool remember(const halfedge_descriptor h)
   {
-    int& excess = m_excesses[number(h)];
+    int excess = remembered(h);
     if(excess == unknown)
+    {
       excess = m_mesh.data(target(h, m_mesh.tmesh())).type == SURFACE_VERTEX ? excess_of_faces(m_mesh, h) : by_sector;
+      m_excesses[number(h)].store(excess, std::memory_order_relaxed);
+    }
     return excess != by_sector;
   }
 
   int excess(const halfedge_descriptor h) const
   {
-    return is_remembered(h) ? m_excesses[number(h)] : excess_of_faces(m_mesh, h);
+    const int result = remembered(h);
+    return result < by_sector ? result : excess_of_faces(m_mesh, h);
   }
 
   void change(const halfedge_descriptor h, const int difference)
   {
-    if(is_remembered(h))
-      m_excesses[number(h)] += difference;
+    const int excess = remembered(h);
+    if(excess < by_sector)
+      m_excesses[number(h)].store(excess + difference, std::memory_order_relaxed);
   }
 };
 
@@ -229,24 +240,42 @@ bool is_flip_legal(const Working_mesh<UserMesh>& mesh, const typename Working_me
       && is_flip_topologically_legal(mesh, h);
 }
 
+// The remeshed faces with changes at their corners, each once, from the first of these.
+template <typename UserMesh>
+std::vector<typename Working_mesh<UserMesh>::face_descriptor>
+changed_faces(const Working_mesh<UserMesh>& mesh, const std::size_t since)
+{
+  typedef Working_mesh<UserMesh> Mesh;
+  const auto& tm = mesh.tmesh();
+  std::vector<typename Mesh::face_descriptor> result;
+  for(int i = 0; i < static_cast<int>(mesh.number_of_vertex_slots()) && !mesh.is_stopped_at(i); ++i)
+  {
+    if(!mesh.has_changed(i, since) || mesh.vertex(i) == Mesh::Graph_traits::null_vertex())
+      continue;
+    const auto is_earlier = [&](const auto v) { return mesh.index(v) < i && mesh.has_changed(v, since); };
+    mesh.visit_copies(mesh.vertex(i), [&](const auto v)
+    {
+      for(const auto h : CGAL::halfedges_around_target(v, tm))
+        if(!mesh.is_border_or_outside(h) && !is_earlier(source(h, tm)) && !is_earlier(target(next(h, tm), tm)))
+          result.push_back(face(h, tm));
+    });
+  }
+  return result;
+}
+
 // Flips edges that raise the worse of their two scores, the longest first.
 template <typename UserMesh>
 std::size_t flip_edges_by_score(Working_mesh<UserMesh>& mesh, const std::size_t since)
 {
   typedef Working_mesh<UserMesh> Mesh;
+  typedef typename Mesh::face_descriptor face_descriptor;
+  const auto is_bad = [&](const face_descriptor f)
+  { return face_worth(mesh, halfedge(f, mesh.tmesh())).score <= quality_of_square; };
   std::vector<Queued_edge<Mesh> > queue;
-  std::size_t step = 0;
-  for(const auto f : faces(mesh.tmesh()))
-  {
-    if(mesh.is_stopped_at(step++))
-      return 0;
-    if(!mesh.is_remeshed(f) || !mesh.has_changed(f, since)
-       || face_worth(mesh, halfedge(f, mesh.tmesh())).score > quality_of_square)
-      continue;
+  for(const face_descriptor f : selected_elements(changed_faces(mesh, since), mesh.is_parallel(), is_bad, mesh.progress()))
     for(const auto h : CGAL::halfedges_around_face(halfedge(f, mesh.tmesh()), mesh.tmesh()))
       if(mesh.has_changed(h, since) && is_flippable(mesh, h))
         queue.push_back({directed_by_number(mesh, h), urgency_level(mesh.relative_length(h)), mesh.edge_key(h)});
-  }
   sort_queue(queue);
   return flip_in_order(mesh, queue,
                        [&](const auto h) { return is_flippable(mesh, h) && is_flip_legal(mesh, h, 0); }, [](const auto) {});

@@ -88,17 +88,18 @@ bool is_relocation_free(Working_mesh<UserMesh>& mesh,
   if(!mesh.is_guarded())
     return true;
   const auto& tm = mesh.tmesh();
-  const auto center = center_of_disc(mesh, v);
-  if(center != Mesh::Graph_traits::null_vertex())
+  boost::container::small_vector<Corner_points, 12> moved;
+  bool is_disc = !mesh.has_copies(v);
+  for(const auto h : CGAL::halfedges_around_target(v, tm))
   {
-    boost::container::small_vector<Corner_points, 12> moved;
-    for(const auto h : CGAL::halfedges_around_target(v, tm))
-      moved.push_back({{&mesh.point(source(h, tm)), &site.point, &mesh.point(target(next(h, tm), tm))}});
-    // the corners of the others are among theirs, and the center
-    const decltype(moved) none;
-    if(mesh.is_clear(center, moved, none))
-      return true;
+    is_disc = is_disc && !CGAL::is_border(h, tm);
+    moved.push_back({{&mesh.point(source(h, tm)), &site.point, &mesh.point(target(next(h, tm), tm))}});
   }
+  const auto center = is_disc ? v : Mesh::Graph_traits::null_vertex();
+  // the corners of the others are among theirs, and the center
+  const decltype(moved) none;
+  if(is_disc && mesh.is_clear(center, moved, none))
+    return true;
   const Numbered_triangles replaced = triangles_around(mesh, {v});
   return mesh.is_allowed(center, with_moved(mesh, replaced, v, site), replaced);
 }

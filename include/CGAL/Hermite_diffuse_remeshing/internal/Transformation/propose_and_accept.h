@@ -57,40 +57,62 @@ void propose_and_accept(const Working_mesh<UserMesh>& mesh, const Iterator first
   }
 }
 
+// Vertices with the numbers of their waves, in the order of these: no two of a wave are neighbours. They are the vertices
+// from `first` to `last` - 1 of a list; `rank`, by the number of the vertex, is the place in this list, or -1.
+template <typename UserMesh>
+std::vector<std::pair<int, typename Working_mesh<UserMesh>::vertex_descriptor> >
+find_waves(const Working_mesh<UserMesh>& mesh,
+           const std::vector<typename Working_mesh<UserMesh>::vertex_descriptor>& vertices, const std::vector<int>& rank,
+           const int first, const int last)
+{
+  typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
+  std::vector<std::pair<int, vertex_descriptor> > result;
+  result.reserve(last - first);
+  std::vector<int> waves_around;
+  for(int i = first; i < last; ++i)
+  {
+    // the first wave without a neighbour: there are hardly more than the vertices have neighbours among them
+    waves_around.clear();
+    mesh.visit_copies(vertices[i], [&](const vertex_descriptor copy)
+    {
+      for(const auto h : CGAL::halfedges_around_target(copy, mesh.tmesh()))
+      {
+        const int other = rank[mesh.index(source(h, mesh.tmesh()))];
+        if(other >= first && other < i)
+          waves_around.push_back(result[other - first].first);
+      }
+    });
+    int free_wave = 0;
+    while(std::find(waves_around.begin(), waves_around.end(), free_wave) != waves_around.end())
+      ++free_wave;
+    result.push_back(std::make_pair(free_wave, vertices[i]));
+  }
+  std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return result;
+}
+
 // Same for vertices where a proposal depends on the neighbours, and `accept(vertex, proposal)` changes the vertex alone.
-// They are taken in waves: no two of a wave are neighbours, so proposals are what they would be if its vertices were
-// taken one after the other.
+// They are taken in waves, so that proposals are what they would be if the vertices were taken one after the other.
 template <typename UserMesh, typename Propose, typename Accept>
 void propose_and_accept_in_waves(const Working_mesh<UserMesh>& mesh,
                                  const std::vector<typename Working_mesh<UserMesh>::vertex_descriptor>& vertices,
                                  const Propose& propose, const Accept& accept)
 {
-  typedef typename Working_mesh<UserMesh>::vertex_descriptor vertex_descriptor;
   // many enough for long waves, few enough for what is around them to stay in the cache
-  constexpr std::size_t window_size = 1024;
-  std::vector<int> wave(mesh.number_of_vertex_slots(), -1);       // -1: not in the window
-  std::vector<std::pair<int, vertex_descriptor> > window;
-  std::vector<int> waves_around;
-  for(std::size_t first = 0; first < vertices.size(); first += window_size)
+  constexpr int window_size = 1024;
+  const int number = static_cast<int>(vertices.size()), number_of_windows = (number + window_size - 1) / window_size;
+  std::vector<int> rank(mesh.number_of_vertex_slots(), -1);
+  for(int i = 0; i < number; ++i)
+    rank[mesh.index(vertices[i])] = i;
+  const auto find_window = [&](const int w)
+  { return find_waves(mesh, vertices, rank, w * window_size, (std::min)(number, (w + 1) * window_size)); };
+  // No neighbour changes. One thread finds the waves of a window while it has what is around it in the cache.
+  std::vector<decltype(find_window(0))> windows(number_of_windows);
+  if(mesh.is_parallel())
+    for_each_index(number_of_windows, true, [&] { return [&](const int w) { windows[w] = find_window(w); }; }, mesh.progress());
+  for(int w = 0; w < number_of_windows; ++w)
   {
-    window.clear();
-    const std::size_t last = (std::min)(vertices.size(), first + window_size);
-    for(std::size_t i = first; i < last; ++i)
-    {
-      // the first wave without a neighbour: there are hardly more than the vertices have neighbours in the window
-      waves_around.clear();
-      mesh.visit_copies(vertices[i], [&](const vertex_descriptor copy)
-      {
-        for(const auto h : CGAL::halfedges_around_target(copy, mesh.tmesh()))
-          waves_around.push_back(wave[mesh.index(source(h, mesh.tmesh()))]);
-      });
-      int free_wave = 0;
-      while(std::find(waves_around.begin(), waves_around.end(), free_wave) != waves_around.end())
-        ++free_wave;
-      wave[mesh.index(vertices[i])] = free_wave;
-      window.push_back(std::make_pair(free_wave, vertices[i]));
-    }
-    std::stable_sort(window.begin(), window.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    const auto window = mesh.is_parallel() ? std::move(windows[w]) : find_window(w);
     for(auto begin = window.begin(); begin != window.end(); )
     {
       const auto end = std::find_if(begin, window.end(), [&](const auto& entry) { return entry.first != begin->first; });
@@ -100,8 +122,6 @@ void propose_and_accept_in_waves(const Working_mesh<UserMesh>& mesh,
         return;
       begin = end;
     }
-    for(std::size_t i = first; i < last; ++i)
-      wave[mesh.index(vertices[i])] = -1;
   }
 }
 

@@ -55,8 +55,10 @@ movable_vertices(const Working_mesh<UserMesh>& mesh, const std::size_t since)
   {
     if(mesh.is_stopped_at(i))
       return std::vector<vertex_descriptor>();
+    if(!mesh.has_changed(i, since))
+      continue;
     const vertex_descriptor v = mesh.vertex(i);
-    if(v == Mesh::Graph_traits::null_vertex() || !mesh.has_changed(i, since) || mesh.is_fixed(v))
+    if(v == Mesh::Graph_traits::null_vertex() || mesh.is_fixed(v))
       continue;
     bool is_found = false;
     mesh.visit_copies(v, [&](const vertex_descriptor copy)

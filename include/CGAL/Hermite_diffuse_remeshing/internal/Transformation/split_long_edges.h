@@ -190,7 +190,7 @@ std::size_t split_long_edges(Working_mesh<UserMesh>& mesh, const double bound, c
   // those that stay have been tried
   if(double(number) < negligible_part * double(mesh.number_of_faces())
      && double(number_of_tries - number) > least_considerable)
-    visit_changed_edges(mesh, since, [&](const auto h)
+    Changed_edges<UserMesh>(mesh, since).visit([&](const auto h)
     {
       if(mesh.relative_length(h) > bound && !mesh.is_protected(h) && mesh.is_inside(edge(h, mesh.tmesh())))
         ++number_left;

@@ -42,7 +42,7 @@ bool is_of_slivers(const Working_mesh<UserMesh>& mesh, const double bound)
 {
   constexpr double considerable_part = 0.75;
   std::size_t number = 0, number_beside_slivers = 0;
-  visit_changed_edges(mesh, 0, [&](const auto h)
+  Changed_edges<UserMesh>(mesh, 0).visit([&](const auto h)
   {
     if(mesh.relative_length(h) > bound && !mesh.is_protected(h) && mesh.is_inside(edge(h, mesh.tmesh())))
     {
