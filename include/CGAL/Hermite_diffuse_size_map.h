@@ -40,12 +40,16 @@ namespace CGAL {
  * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
  * \tparam GeomTraits_ a model of `HermiteDiffuseRemeshingTraits`; by default the kernel of the points
  *         of the mesh
+ * \tparam ConcurrencyTag enables the construction in parallel. Possible values are `Sequential_tag`,
+ *         `Parallel_tag` and `Parallel_if_available_tag`. The sizes are the same, to the last bit, for any
+ *         number of threads. The user's fields and maps are read by the calling thread alone.
  *
  * @sa `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`
  * @sa `CGAL::Hermite_diffuse_surface`
  */
 template <typename TriangleMesh,
-          typename GeomTraits_ = typename GetGeomTraits<TriangleMesh>::type>
+          typename GeomTraits_ = typename GetGeomTraits<TriangleMesh>::type,
+          typename ConcurrencyTag = Sequential_tag>
 class Hermite_diffuse_size_map
 {
   typedef Hermite_diffuse_remeshing::internal::Input_model Input_model;
@@ -122,7 +126,7 @@ public:
     const Input_mesh<TriangleMesh, Geom_traits> input = read_input<Geom_traits>(tmesh, pack);
     m_traits = input.traits;
     const Size_options options = read_size_options(pack, m_traits, input.triangles, input.face_descriptors);
-    m_model = read_model(input, pack);
+    m_model = read_model<ConcurrencyTag>(input, pack);
     m_model->locator.build_tree();
     m_sizes = make_size_map(*m_model, options, input.side_marks, read_face_budget(pack, input.face_descriptors.size()),
                             [](int) { return true; });

@@ -3,6 +3,7 @@
 
 #include "test_helpers.h"
 
+#include <CGAL/Hermite_diffuse_size_map.h>
 #include <CGAL/Hermite_diffuse_surface.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh_triangle_soup.h>
 #include <CGAL/Polyhedron_3.h>
@@ -96,6 +97,18 @@ std::vector<unsigned> operations_on_soup()
   return recorder.operations;
 }
 
+// the sizes at the vertices of a mesh
+template <typename ConcurrencyTag>
+std::vector<double> sizes()
+{
+  const Surface_mesh mesh = read_data<Surface_mesh>("fandisk.off");
+  const CGAL::Hermite_diffuse_size_map<Surface_mesh, Kernel, ConcurrencyTag> map(mesh, params::approximation_error(0.05));
+  std::vector<double> result;
+  for(const auto v : vertices(mesh))
+    result.push_back(map.size(mesh.point(v)));
+  return result;
+}
+
 // limits the threads of TBB while it lives
 struct Number_of_threads
 {
@@ -149,6 +162,7 @@ int main()
   {
     const Number_of_threads threads(number);
     assert(operations_on_soup<CGAL::Parallel_if_available_tag>() == operations);
+    assert(sizes<CGAL::Parallel_if_available_tag>() == sizes<CGAL::Sequential_tag>());
   }
 
   std::cout << "threads" << std::endl;

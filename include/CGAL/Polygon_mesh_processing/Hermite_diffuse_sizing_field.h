@@ -41,15 +41,17 @@ namespace Polygon_mesh_processing {
  * \tparam GeomTraits a model of `HermiteDiffuseRemeshingTraits`; by default the kernel of the points of the mesh
  * \tparam VertexPointMap a model of `ReadablePropertyMap` with key type `vertex_descriptor` and the point type of the
  *         traits as value type; by default the internal map of the mesh
+ * \tparam ConcurrencyTag enables the construction in parallel, as for `CGAL::Hermite_diffuse_size_map`
  *
  * @sa `CGAL::Hermite_diffuse_size_map`
  */
 template <typename TriangleMesh,
           typename GeomTraits = typename GetGeomTraits<TriangleMesh>::type,
-          typename VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>
+          typename VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type,
+          typename ConcurrencyTag = Sequential_tag>
 class Hermite_diffuse_sizing_field
 {
-  typedef Hermite_diffuse_size_map<TriangleMesh, GeomTraits> Size_map;
+  typedef Hermite_diffuse_size_map<TriangleMesh, GeomTraits, ConcurrencyTag> Size_map;
   typedef Hermite_diffuse_remeshing::internal::Vector Vector;
 
 public:

@@ -65,10 +65,10 @@ public:
   void grade(const Bisection_tree& cells, const Size_samples& samples, const Frozen_lengths& frozen,
              const double scale, const double gradation, const Progress& progress)
   {
-    m_last_sizes.clear();
     m_sizes.clear();
     add_sizes(samples, scale);
     frozen.lower(m_sizes);
+    mark_noted();
     m_noted.clear();
     if(gradation == 1.)
       std::fill(m_sizes.begin(), m_sizes.end(), *std::min_element(m_sizes.begin(), m_sizes.end()));
@@ -89,18 +89,23 @@ public:
     add_sizes(samples, scale);
     std::sort(m_noted.begin(), m_noted.end());
     m_noted.erase(std::unique(m_noted.begin(), m_noted.end()), m_noted.end());
+    mark_noted();
     for(const int i : m_noted)
-    {
       m_sizes[i] = (std::min)(m_sizes[i], samples.asked_size(i, scale));
-      if(i < static_cast<int>(m_last_sizes.size()))
-        m_last_sizes[i] = -1.;            // in another cell: has changed in any case
-    }
     if(!m_noted.empty())
       limit_slopes(cells, samples, frozen, gradation, m_noted, progress);
     m_noted.clear();
   }
 
 private:
+  // They may be in other cells, and have changed in any case.
+  void mark_noted()
+  {
+    for(const int i : m_noted)
+      if(i < static_cast<int>(m_last_sizes.size()))
+        m_last_sizes[i] = -1.;
+  }
+
   void add_sizes(const Size_samples& samples, const double scale)
   {
     for(int i = number_of_samples(); i < samples.size(); ++i)
