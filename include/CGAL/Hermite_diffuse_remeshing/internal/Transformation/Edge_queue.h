@@ -103,7 +103,8 @@ public:
   int make_parts()
   {
     if(m_since == 0)
-      m_edges.assign(edges(m_mesh.tmesh()).first, edges(m_mesh.tmesh()).second);
+      for(const edge_descriptor e : edges(m_mesh.tmesh()))
+        m_edges.push_back(e);
     return (number() + size_of_part - 1) / size_of_part;
   }
 
