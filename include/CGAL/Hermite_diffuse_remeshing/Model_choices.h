@@ -22,7 +22,8 @@ namespace Hermite_diffuse_remeshing {
 enum Normal_estimation
 {
   FITTED_NORMALS,   ///< quartic fit over two rings, lower degrees where it is not determined: order 3 to 4
-  SMOOTH_NORMALS,   ///< three sweeps of quadratic Hermite fits: for noisy positions
+  SMOOTH_NORMALS,   ///< three sweeps of quadratic Hermite fits: for noisy positions, as of scans and isosurfaces. Sizes
+                    ///< then follow the mean curvature over as many faces as six elements cover, not that of the noise
   MAX_NORMALS,      ///< weights of Max (1999), exact on a sphere: order 1 in general
   AREA_NORMALS      ///< weighted by area as in the paper: order 1
 };

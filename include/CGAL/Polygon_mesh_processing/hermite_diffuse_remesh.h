@@ -202,7 +202,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`0.3`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{normal_estimation}
- *     \cgalParamDescription{how the normals at the vertices are estimated}
+ *     \cgalParamDescription{how the normals at the vertices are estimated. With `SMOOTH_NORMALS`\, for noisy meshes\, the
+ *       sizes follow the mean curvature over about six elements\, too}
  *     \cgalParamType{`CGAL::Hermite_diffuse_remeshing::Normal_estimation`}
  *     \cgalParamDefault{`FITTED_NORMALS`}
  *   \cgalParamNEnd

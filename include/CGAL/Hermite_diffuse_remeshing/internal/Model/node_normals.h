@@ -72,15 +72,18 @@ Vector smoothed_normal(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
 
 // One sweep of Jacobi: every normal from those around, so that noise is averaged
 inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes,
-                                            const std::vector<Vector>& normals, const Progress& progress)
+                                            const std::vector<Vector>& normals, const bool is_parallel,
+                                            const Progress& progress)
 {
   std::vector<Vector> result(normals);
-  for(int i = 0; i < cut_mesh.number_of_nodes(); ++i)
+  for_each_index(cut_mesh.number_of_nodes(), is_parallel, [&]
   {
-    progress(double(i) / cut_mesh.number_of_nodes());
-    if(normals[i] != Vector::Zero())
-      result[i] = smoothed_normal<2>(cut_mesh, nodes, normals, i);
-  }
+    return [&](const int i)
+    {
+      if(normals[i] != Vector::Zero())
+        result[i] = smoothed_normal<2>(cut_mesh, nodes, normals, i);
+    };
+  }, progress);
   return result;
 }
 
@@ -174,7 +177,7 @@ inline Neighbors_on_lines estimate_node_normals(const Indexed_triangles& surface
   {
     constexpr int number_of_sweeps = 3;
     for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
-      normals = smoothed_normals(cut_mesh, nodes, normals,
+      normals = smoothed_normals(cut_mesh, nodes, normals, is_parallel,
                                  progress.part(double(sweep) / number_of_sweeps, (sweep + 1.) / number_of_sweeps));
   }
   if(estimation == FITTED_NORMALS)

@@ -13,11 +13,11 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/closest_barycentric.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Curve_sizes.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Element_curvature.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Graded_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/coarsen_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <algorithm>
 #include <array>
@@ -85,7 +85,8 @@ public:
         m_frozen.add_edge(ends[0], ends[1], (m_samples.position(ends[1]) - m_samples.position(ends[0])).norm());
       }
     // What large cells pass on along their sides is lower than what holds after they are bisected.
-    refine([this] { grade(); });
+    refine([this] { grade_bisected(); });
+    m_sizes.forget_origins();
     // From now on the mesh changes, and a field that refers to it with it: what has been read is all that is known.
     m_sources.forget_user_size();
   }
@@ -222,15 +223,7 @@ private:
         is_done[v] = true;
       }
     }
-    std::vector<double> curvatures(surface.cut_mesh().number_of_nodes(), 0.);
-    for_each_index(surface.cut_mesh().number_of_nodes(), is_parallel(), [&]
-    {
-      return [&](const int i)
-      {
-        if(!surface.node(i).is_singular)
-          curvatures[i] = m_sources.largest_curvature(i);
-      };
-    }, m_progress.part(0., 0.));
+    const std::vector<double> curvatures = largest_curvatures_of_nodes(surface, m_sources, m_progress.part(0., 0.));
     for(int i = 0; i < surface.cut_mesh().number_of_nodes(); ++i)
       if(!surface.node(i).is_singular)
         lower_by_curvature(surface.cut_mesh().vertex(i), curvatures[i]);
@@ -263,8 +256,7 @@ private:
   {
     const int middle = middle_of_side(m_cells[c], k);
     m_sizes.note(middle);
-    for(const int s : m_cells[c].samples)
-      m_sizes.note(s);
+    m_sizes.note_bisected(m_cells[c].samples);
     m_cells.bisect(c, k, middle);
   }
 
@@ -384,6 +376,8 @@ private:
 
   double gradation() const { return m_sources.options().gradation; }
   void grade() { m_sizes.grade(m_cells, m_samples, m_frozen, m_scale, gradation(), m_progress); }
+  void grade_bisected()
+  { m_sizes.grade_bisected(m_cells, m_samples, m_frozen, m_scale, gradation(), m_progress); }
   void grade_again() { m_sizes.grade_again(m_cells, m_samples, m_frozen, m_scale, gradation(), m_progress); }
 };
 

@@ -92,11 +92,12 @@ std::vector<char> find_steep(const std::vector<std::array<int, 3> >& triangles, 
 // marching from the smallest size up: a size is final when it leaves the queue, and is passed on
 // along the sides and across the triangles.
 // `triangles`: three indices each, into `sizes` and `point(index)`; `seeds`: the indices from which sizes may have to be
-// passed on: all, or, where the slopes have been limited before, those of what has been lowered or added since.
-template <typename PointOfIndex, typename IndexRange>
+// passed on: all, or, where the slopes have been limited before, those of what has changed since; `note(index, i, j)` is
+// called when a size is lowered, from the side between two others.
+template <typename PointOfIndex, typename IndexRange, typename Note>
 void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
                      const double slope, const IndexRange& seeds, std::vector<double>& sizes,
-                     const Progress& progress = Progress())
+                     const Progress& progress, const Note& note)
 {
   // in slivers rounding would lower a size again and again by its last digit
   constexpr double least_gain = 1e-9;
@@ -145,6 +146,7 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
         if(bound < (1. - least_gain) * sizes[target])
         {
           sizes[target] = bound;
+          note(target, i, other);
           queue.push(Entry(bound, target));
         }
       }
@@ -156,7 +158,8 @@ template <typename PointOfIndex>
 void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
                      const double slope, std::vector<double>& sizes, const Progress& progress = Progress())
 {
-  limit_gradation(triangles, point, slope, boost::irange(0, static_cast<int>(sizes.size())), sizes, progress);
+  limit_gradation(triangles, point, slope, boost::irange(0, static_cast<int>(sizes.size())), sizes, progress,
+                  [](int, int, int) {});
 }
 
 } // namespace internal
