@@ -99,10 +99,11 @@ std::vector<unsigned> operations_on_soup()
 
 // the sizes at the vertices of a mesh
 template <typename ConcurrencyTag>
-std::vector<double> sizes()
+std::vector<double> sizes(const HDR::Normal_estimation normals)
 {
   const Surface_mesh mesh = read_data<Surface_mesh>("fandisk.off");
-  const CGAL::Hermite_diffuse_size_map<Surface_mesh, Kernel, ConcurrencyTag> map(mesh, params::approximation_error(0.05));
+  const CGAL::Hermite_diffuse_size_map<Surface_mesh, Kernel, ConcurrencyTag> map(
+    mesh, params::approximation_error(0.05).normal_estimation(normals));
   std::vector<double> result;
   for(const auto v : vertices(mesh))
     result.push_back(map.size(mesh.point(v)));
@@ -162,7 +163,8 @@ int main()
   {
     const Number_of_threads threads(number);
     assert(operations_on_soup<CGAL::Parallel_if_available_tag>() == operations);
-    assert(sizes<CGAL::Parallel_if_available_tag>() == sizes<CGAL::Sequential_tag>());
+    for(const HDR::Normal_estimation normals : {HDR::FITTED_NORMALS, HDR::SMOOTH_NORMALS})
+      assert(sizes<CGAL::Parallel_if_available_tag>(normals) == sizes<CGAL::Sequential_tag>(normals));
   }
 
   std::cout << "threads" << std::endl;
