@@ -59,6 +59,7 @@ struct Options
   int iterations = 10;
   std::size_t maximum_number_of_faces = 0;
   double maximum_running_time = std::numeric_limits<double>::infinity();
+  bool is_noisy = false;
   bool is_prediction = false;
   bool is_quiet = false;
   bool is_help_wanted = false;
@@ -102,6 +103,7 @@ po::options_description visible_options(Options& o)
      "edges with a larger angle between normals are features (40)")
     ("corner-angle", number(o.corner_angle, "DEG"),
      "feature curves that turn more have a corner (60)")
+    ("noisy", po::bool_switch(&o.is_noisy), "sizes and normals follow the surface, not its noise: scans, isosurfaces")
     ("maximum-number-of-faces", number(o.maximum_number_of_faces, "N"),
      "scale the sizes to meet this (1000000, or ten times the input)")
     ("maximum-running-time", number(o.maximum_running_time, "SECONDS"), "stop after this time (no limit)")
@@ -203,7 +205,9 @@ double quality(const K::Point_3& p, const K::Point_3& q, const K::Point_3& r)
 
 auto model_parameters(const Options& o)
 {
-  return CGAL::parameters::sharp_dihedral_angle(o.sharp_angle).corner_angle(o.corner_angle);
+  using namespace CGAL::Hermite_diffuse_remeshing;
+  return CGAL::parameters::sharp_dihedral_angle(o.sharp_angle).corner_angle(o.corner_angle)
+                          .normal_estimation(o.is_noisy ? SMOOTH_NORMALS : FITTED_NORMALS);
 }
 
 // evaluated on the model of the input, where the remeshing has put the vertices

@@ -119,7 +119,7 @@ bad_option)
   "$remesh_file" --help > log 2> errors || fail "--help"
   for option in approximation-error maximum-deviation minimum-edge-length maximum-edge-length \
                 elements-per-circle angle-per-element sagitta-over-length sagitta \
-                maximum-number-of-faces maximum-running-time predict gradation sharp-angle corner-angle iterations report fields quiet; do
+                maximum-number-of-faces maximum-running-time predict gradation sharp-angle corner-angle noisy iterations report fields quiet; do
     grep -q -e "--$option" log || fail "--help does not name --$option"
   done
   ;;
@@ -182,6 +182,10 @@ prediction)
   "$remesh_file" cup.off out.off --approximation-error 0.02 --maximum-number-of-faces 1000 --quiet \
     || fail "remesh_file --maximum-number-of-faces"
   [ "$(awk 'NR == 2 { print $2 }' out.off)" -le 1000 ] || fail "more than 1000 faces"
+  # elements as large as the fillets do not see them
+  "$remesh_file" cup.off --predict --approximation-error 0.2 > all || fail "--predict"
+  "$remesh_file" cup.off --predict --approximation-error 0.2 --noisy > without_noise || fail "--predict --noisy"
+  [ "$(cat without_noise)" -lt "$(cat all)" ] || fail "--noisy does not lower the number of faces"
   ;;
 
 failing_write)
