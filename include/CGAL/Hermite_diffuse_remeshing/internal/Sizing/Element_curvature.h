@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -111,10 +110,12 @@ public:
     const double curvature = mean_curvature(node, curvature_of_fit);
     // of the lengths, 1/2 and 1
     constexpr double all = 0.25, none = 1.;
-    const double share = ramp(area_around(node), none * area_of_elements(curvature), all * area_of_elements(curvature));
-    // Blended are the radii, to which the sizes are proportional: the fit's curvature may be any times too large.
-    const double blended = 1. / (share / curvature + (1. - share) / curvature_of_fit);
-    return curvature < curvature_of_fit ? blended : curvature_of_fit;
+    const double share = ramp(area_around(node) / area_of_elements(curvature), none, all);
+    if(!(share > 0.) || !(curvature < curvature_of_fit))
+      return curvature_of_fit;
+    // Blended are the radii, to which the sizes are proportional: the fit's curvature may be any times too large, and the
+    // mean may be zero.
+    return 1. / (share / curvature + (1. - share) / curvature_of_fit);
   }
 
 private:
