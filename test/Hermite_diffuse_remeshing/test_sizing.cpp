@@ -303,8 +303,7 @@ void test_noisy_torus()
   }
 }
 
-// While cells are bisected sizes are graded again only where something has come across these. All anew gives the same, but
-// for a few in obtuse slivers, where it depends on the order which of two sizes is the smaller one.
+// While cells are bisected sizes are graded again only where something has come across these. All anew gives the same.
 void test_regrading()
 {
   const Indexed_triangles triangles = marching_torus(analytic::Torus());
@@ -319,16 +318,11 @@ void test_regrading()
     }
   sized.sizes.scale_by(1.);
   double largest_change = 0.;
-  std::size_t number_of_changes = 0;
   for(std::size_t i = 0; i < locations.size(); ++i)
-  {
-    const double change = std::abs(sized.sizes(locations[i]) / sizes[i] - 1.);
-    largest_change = (std::max)(largest_change, change);
-    number_of_changes += change > 1e-6;
-  }
-  std::cout << "  graded anew " << number_of_changes << " of " << locations.size() << " sizes differ, by at most "
-            << largest_change << std::endl;
-  assert(largest_change < 0.05 && number_of_changes < locations.size() / 1000);
+    largest_change = (std::max)(largest_change, std::abs(sized.sizes(locations[i]) / sizes[i] - 1.));
+  std::cout << "  graded anew sizes differ by at most " << largest_change << std::endl;
+  // a size is not lowered for the sake of its last digits
+  assert(largest_change < 1e-7);
 }
 
 int main()

@@ -85,7 +85,7 @@ public:
         m_frozen.add_edge(ends[0], ends[1], (m_samples.position(ends[1]) - m_samples.position(ends[0])).norm());
       }
     // What large cells pass on along their sides is lower than what holds after they are bisected.
-    refine([this] { grade_bisected(); });
+    refine([this] { m_sizes.grade_bisected(grading()); });
     m_sizes.forget_origins();
     // From now on the mesh changes, and a field that refers to it with it: what has been read is all that is known.
     m_sources.forget_user_size();
@@ -130,7 +130,7 @@ public:
   }
 
   // Bisects cells until each is small against the size or the size is linear in it, after sizes have been lowered.
-  void refine() { refine([this] { grade_again(); }); }
+  void refine() { refine([this] { m_sizes.grade_again(grading()); }); }
 
 private:
   template <typename Grade>
@@ -179,7 +179,7 @@ public:
   void scale_by(const double factor)
   {
     m_scale *= factor;
-    grade();
+    m_sizes.grade(grading());
   }
 
   // Makes the sizes coarser than asked for by a factor, for a mesh that is to be refined; 1: as asked for.
@@ -375,10 +375,7 @@ private:
   }
 
   double gradation() const { return m_sources.options().gradation; }
-  void grade() { m_sizes.grade(m_cells, m_samples, m_frozen, m_scale, gradation(), m_progress); }
-  void grade_bisected()
-  { m_sizes.grade_bisected(m_cells, m_samples, m_frozen, m_scale, gradation(), m_progress); }
-  void grade_again() { m_sizes.grade_again(m_cells, m_samples, m_frozen, m_scale, gradation(), m_progress); }
+  Grading grading() const { return Grading{m_cells, m_samples, m_frozen, m_scale, gradation(), m_progress}; }
 };
 
 } // namespace internal

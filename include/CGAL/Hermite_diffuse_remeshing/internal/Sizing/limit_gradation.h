@@ -53,12 +53,13 @@ inline double bound_from_segment(const Vector& a, const Vector& b, const double 
   const double x = foot - height * sine / std::sqrt(1. - sine * sine);
   if(x <= 0. || x >= length)
     return at_ends;
-  const double bound = s + (t - s) * x / length + slope * std::sqrt((foot - x) * (foot - x) + height * height);
-  // A size may only depend on smaller ones. In an obtuse triangle the front can seem to arrive before
-  // it has passed one of the ends, and two vertices would lower each other for ever. In symmetric
-  // triangles the two are equal, which rounding must not decide.
+  // A size may only depend on smaller ones. In an obtuse triangle the front can seem to arrive before it has passed one
+  // of the ends, and two vertices would lower each other for ever; there the larger end is the bound, which keeps it
+  // monotone in both sizes: what follows is the same in whatever order sizes are lowered. In symmetric triangles the two
+  // are equal, which rounding must not decide.
   constexpr double margin = 1e-6;
-  return bound >= (1. + margin) * (std::max)(s, t) ? (std::min)(bound, at_ends) : at_ends;
+  const double bound = s + (t - s) * x / length + slope * std::sqrt((foot - x) * (foot - x) + height * height);
+  return (std::min)(at_ends, (std::max)(bound, (1. + margin) * (std::max)(s, t)));
 }
 
 // Of the indices: is it in a triangle in which the slope may be too large? Nowhere in a triangle a size is lowered to
