@@ -13,6 +13,7 @@
 
 #include <boost/config.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -37,6 +38,27 @@ inline double angle_of_larger_axis(const double xx, const double xy, const doubl
   return 0.5 * std::atan2(2. * xy, xx - yy);
 }
 
+// The second fundamental form in an orthonormal basis of the tangent plane, where the principal curvatures are the
+// eigenvalues of a symmetric matrix. They follow from it without the cancellation of H^2 - K, which costs half of the
+// digits where they are equal.
+struct Second_form
+{
+  double xx = 0., xy = 0., yy = 0.;
+
+  // maximum and minimum of the normal curvature
+  std::pair<double, double> curvatures() const
+  {
+    const double mean = (xx + yy) / 2., difference = std::hypot((xx - yy) / 2., xy);
+    return std::make_pair(mean + difference, mean - difference);
+  }
+
+  double largest_absolute_curvature() const
+  {
+    const std::pair<double, double> k = curvatures();
+    return (std::max)(std::abs(k.first), std::abs(k.second));
+  }
+};
+
 // A surface z = z(x,y) at one point: orthonormal frame and derivatives
 //   p = z_x, q = z_y, r = z_xx, s = z_xy, u = z_yy   (u, where the paper has t).
 struct Monge_form
@@ -47,33 +69,24 @@ struct Monge_form
   Vector normal() const { return (z_axis - p * x_axis - q * y_axis).normalized(); }
 
   // maximum and minimum of the normal curvature
-  std::pair<double, double> curvatures() const
-  {
-    const Second_form f = second_form();
-    const double mean = (f.a + f.c) / 2., difference = std::hypot((f.a - f.c) / 2., f.b);
-    return std::make_pair(mean + difference, mean - difference);
-  }
+  std::pair<double, double> curvatures() const { return second_form().curvatures(); }
 
   Principal_curvatures principal_curvatures() const
   {
     Principal_curvatures result;
-    std::tie(result.maximum, result.minimum) = curvatures();
-    const Second_form f = second_form();
+    const Second_form form = second_form();
+    std::tie(result.maximum, result.minimum) = form.curvatures();
     const Vector n = normal();
     const Vector e1 = (x_axis + p * z_axis).normalized();
     const Vector e2 = n.cross(e1);
-    const double angle = angle_of_larger_axis(f.a, f.b, f.c);
+    const double angle = angle_of_larger_axis(form.xx, form.xy, form.yy);
     result.maximum_direction = std::cos(angle) * e1 + std::sin(angle) * e2;
     result.minimum_direction = n.cross(result.maximum_direction);
     return result;
   }
 
 private:
-  // The second fundamental form in the orthonormal basis e1, e2 of the tangent plane, where the principal
-  // curvatures are the eigenvalues of a symmetric matrix. They follow from it without the
-  // cancellation of H^2 - K, which costs half of the digits where they are equal.
-  struct Second_form { double a, b, c; };
-
+  // in the basis of which the first vector is the tangent over the x axis
   Second_form second_form() const
   {
     const double w = 1. + p * p, g2 = w + q * q, g = std::sqrt(g2), m = p * q;

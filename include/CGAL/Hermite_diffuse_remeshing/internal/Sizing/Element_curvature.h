@@ -35,7 +35,8 @@ namespace internal {
 class Mean_second_form
 {
   Vector m_normal, m_x, m_y;
-  double m_area = 0., m_xx = 0., m_xy = 0., m_yy = 0.;
+  double m_area = 0.;
+  Second_form m_sum;                    // times the areas
 
 public:
   explicit Mean_second_form(const Vector& normal) : m_normal(normal), m_x(any_normal(normal)), m_y(normal.cross(m_x)) {}
@@ -59,19 +60,16 @@ public:
     for(int k = 0; k < 3; ++k)
     {
       const Vector across = u.cross(triangles.point(face, previous(k)) - triangles.point(face, next(k))) / 2.;
-      m_xx += normals[k].dot(x) * across.dot(x);
-      m_xy += (normals[k].dot(x) * across.dot(y) + normals[k].dot(y) * across.dot(x)) / 2.;
-      m_yy += normals[k].dot(y) * across.dot(y);
+      m_sum.xx += normals[k].dot(x) * across.dot(x);
+      m_sum.xy += (normals[k].dot(x) * across.dot(y) + normals[k].dot(y) * across.dot(x)) / 2.;
+      m_sum.yy += normals[k].dot(y) * across.dot(y);
     }
   }
 
   // of the faces, as far as they are seen along their normals
   double area() const { return m_area; }
 
-  double largest_curvature() const
-  {
-    return (std::abs(m_xx + m_yy) / 2. + std::hypot((m_xx - m_yy) / 2., m_xy)) / m_area;
-  }
+  double largest_curvature() const { return m_sum.largest_absolute_curvature() / m_area; }
 };
 
 // The largest curvature at the nodes of a noisy surface, as the elements see it that it asks for: the mean over the
