@@ -125,7 +125,8 @@ public:
     const auto& pack = Hermite_diffuse_remeshing::internal::pack(np);
     const Input_mesh<TriangleMesh, Geom_traits> input = read_input<Geom_traits>(tmesh, pack);
     m_traits = input.traits;
-    const Size_options options = read_size_options(pack, m_traits, input.triangles, input.face_descriptors);
+    Size_options options = read_size_options<Geom_traits>(pack, input.triangles);
+    read_size_field(pack, m_traits, input.face_descriptors, options);
     m_model = read_model<ConcurrencyTag>(input, pack);
     m_model->locator.build_tree();
     m_sizes = make_size_map(*m_model, options, input.side_marks, read_face_budget(pack, input.face_descriptors.size()),

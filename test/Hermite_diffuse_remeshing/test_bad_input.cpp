@@ -249,6 +249,34 @@ void test_repairs()
   assert(CGAL::is_valid_polygon_mesh(mesh));
 }
 
+// A size per face is that of the face, also where degenerate ones are taken away before it is read.
+void test_sizes_of_faces_beside_repairs()
+{
+  const auto number_of_faces = [](Surface_mesh mesh)
+  {
+    auto size_of_face = mesh.add_property_map<Surface_mesh::Face_index, double>("f:size", 1.).first;
+    for(const auto f : mesh.faces())
+    {
+      const auto h = mesh.halfedge(f);
+      const Point_3 c = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                       mesh.point(mesh.target(mesh.next(h))));
+      if(c.x() < 0.25 && c.y() < 0.25)
+        size_of_face[f] = 0.01;
+    }
+    const auto field = [size_of_face](const Point_3&, const Surface_mesh::Face_index f, const std::array<double, 3>&)
+    { return size_of_face[f]; };
+    PMP::hermite_diffuse_remesh(mesh, params::size_field(field));
+    return double(mesh.number_of_faces());
+  };
+  Surface_mesh mesh = grid(8, 0.);
+  const double number = number_of_faces(mesh);
+  const auto h = inner_halfedge(mesh);
+  split_at(mesh, h, mesh.point(mesh.target(h)));
+  const double number_beside_repair = number_of_faces(mesh);
+  std::cout << "  sizes of faces: " << number << " faces, beside a repair " << number_beside_repair << std::endl;
+  assert(std::abs(number_beside_repair / number - 1.) < 0.1);
+}
+
 Surface_mesh::Vertex_index vertex_in_middle(const Surface_mesh& mesh)
 {
   const Point_3 middle(0.5, 0.5, 0.);
@@ -591,6 +619,7 @@ int main()
 
   test_refusals();
   test_repairs();
+  test_sizes_of_faces_beside_repairs();
   test_unfolding();
   test_accepted_as_they_are();
   test_extreme_coordinates();

@@ -3,8 +3,10 @@
 #include "test_helpers.h"
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Refinement_attempts.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -192,6 +194,73 @@ void test_stops_and_exceptions(const int number_of_moments)
     assert(is_thrown);
     check_result(input, mesh);
   }
+}
+
+// of equilateral triangles that are as many on the mesh
+double size_for(const Surface_mesh& mesh, const double number_of_faces)
+{
+  return std::sqrt(4. / std::sqrt(3.) * PMP::area(mesh) / number_of_faces);
+}
+
+// A mesh with large sizes comes first. Whenever a stop comes, the sizes that are written are those that were asked for.
+void test_stops_at_coarse_levels()
+{
+  std::cout << "stops at coarse levels" << std::endl;
+  // stops soon after it has been told of progress for the n-th time
+  struct Visitor : public HDR::Default_remeshing_visitor<Surface_mesh>
+  {
+    bool is_adapting = false;
+    int reports = 0, last_report = -1, questions = 0;
+    void stage_begins(const char* name) { is_adapting = std::strcmp(name, "adaptation") == 0; }
+    void progress(double) { reports += is_adapting; }
+    bool is_stop_requested()
+    {
+      // the first one comes from the passes themselves, those that follow from within an operator
+      constexpr int question_of_operator = 3;
+      return is_adapting && reports == last_report && ++questions == question_of_operator;
+    }
+  };
+  const Surface_mesh input = make_mesh<Surface_mesh>(analytic::Torus().mesh(1000, 1));
+  const double size = size_for(input, 20000.);
+  const auto remesh = [&](Surface_mesh& mesh, Visitor& visitor)
+  {
+    const auto sizes = mesh.add_property_map<Surface_mesh::Vertex_index, double>("v:size", 0.).first;
+    const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).minimum_edge_length(size)
+      .maximum_edge_length(size).vertex_size_map(sizes).visitor(std::ref(visitor)));
+    for(const auto v : mesh.vertices())
+      assert(std::abs(sizes[v] - size) < 1e-9 * size);
+    return report;
+  };
+  Surface_mesh complete = input;
+  Visitor counter;
+  assert(remesh(complete, counter).number_of_faces > 16000);
+  for(int i = 0; i < counter.reports; ++i)
+  {
+    Surface_mesh mesh = input;
+    Visitor visitor;
+    visitor.last_report = i;
+    assert(remesh(mesh, visitor).stop_reason == HDR::STOPPED_BY_VISITOR);
+  }
+}
+
+// as many passes as there are numbers are no fewer than some
+void test_most_iterations()
+{
+  std::cout << "most iterations" << std::endl;
+  const auto remeshed = [](const int number_of_iterations)
+  {
+    Surface_mesh mesh = make_mesh<Surface_mesh>(analytic::Torus().mesh(1000, 1));
+    const auto parameters = [&](const double number)
+    {
+      const double size = size_for(mesh, number);
+      return params::approximation_error(0.).minimum_edge_length(size).maximum_edge_length(size)
+                    .number_of_iterations(number_of_iterations);
+    };
+    PMP::hermite_diffuse_remesh(mesh, parameters(20000.));
+    PMP::hermite_diffuse_remesh(mesh, parameters(21000.));
+    return mesh;
+  };
+  assert(faces_of(remeshed(100)) == faces_of(remeshed((std::numeric_limits<int>::max)())));
 }
 
 template <typename Mesh>
@@ -566,6 +635,8 @@ int main()
 {
   test_stops_and_exceptions<Surface_mesh>(50);
   test_stops_and_exceptions<Polyhedron>(10);
+  test_stops_at_coarse_levels();
+  test_most_iterations();
   test_failing_allocations<Surface_mesh>(100);
   test_failing_allocations<Polyhedron>(50);
   test_time_budget();

@@ -250,6 +250,32 @@ void test_normals()
 }
 
 // maps of the user with indices as keys, and what is refused
+// A split at the spine of a book adds a face to each leaf: the last one that there would be room for if it added two
+// is not made.
+void test_budget_at_junction()
+{
+  std::cout << "budget at a junction" << std::endl;
+  for(const int number_of_leaves : {3, 12})
+    for(std::size_t budget = 50; budget < 54; ++budget)
+    {
+      Soup book;
+      book.points = {Point_3(0., 0., 0.), Point_3(0., 0., 1.)};
+      for(int i = 0; i < number_of_leaves; ++i)
+      {
+        const double angle = 2. * analytic::pi * i / number_of_leaves;
+        const std::size_t first = book.points.size();
+        for(const double z : {0., 1.})
+          book.points.push_back(Point_3(std::cos(angle), std::sin(angle), z));
+        book.triangles.push_back({{0, first, first + 1}});
+        book.triangles.push_back({{0, first + 1, 1}});
+      }
+      const auto size = [](const Point_3& p) { return p.x() * p.x() + p.y() * p.y() < 0.1 ? 0.01 : 0.5; };
+      PMP::hermite_diffuse_remesh_triangle_soup(book.points, book.triangles,
+        params::approximation_error(0.).size_field(size).maximum_number_of_faces(budget));
+      assert(book.triangles.size() <= budget && int(book.triangles.size()) > 2 * number_of_leaves);
+    }
+}
+
 void test_parameters()
 {
   std::cout << "parameters" << std::endl;
@@ -387,6 +413,7 @@ int main(int argc, char** argv)
   test_extreme_coarsening("two cubes", make_soup(soups::two_cubes(6)));
   test_extreme_coarsening("three balls", make_soup(soups::three_balls(5)));
   test_parameters();
+  test_budget_at_junction();
   test_normals();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;

@@ -328,7 +328,8 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   std::iota(triangle_indices.begin(), triangle_indices.end(), std::size_t(0));
   std::iota(point_indices.begin(), point_indices.end(), std::size_t(0));
   const std::vector<Vector> vertex_normals = read_vertex_normals(point_indices, gt, pack);
-  Size_options size_options = read_size_options(pack, gt, surface, triangle_indices);
+  Size_options size_options = read_size_options<GT>(pack, surface);
+  read_size_field(pack, gt, triangle_indices, size_options);
 
   const std::vector<char> is_turned = orient_sheets(surface);
   if(size_options.user_size)

@@ -80,7 +80,7 @@ void read_size_law(const Pack& pack, Size_options& options)
   }
 }
 
-// `face_descriptors[i]` is face i of the reference.
+// After the repairs: `face_descriptors[i]` is face i of the reference.
 template <typename FaceDescriptor, typename GeomTraits, typename Pack>
 void read_size_field(const Pack& pack, const GeomTraits& traits, const std::vector<FaceDescriptor>& face_descriptors,
                      Size_options& options)
@@ -132,9 +132,9 @@ double shortest_length(const Indexed_triangles& triangles)
   return units_in_last_place * double(std::numeric_limits<FT>::epsilon()) * largest;
 }
 
-template <typename FaceDescriptor, typename GeomTraits, typename Pack>
-Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const Indexed_triangles& triangles,
-                               const std::vector<FaceDescriptor>& face_descriptors)
+// all but the field
+template <typename GeomTraits, typename Pack>
+Size_options read_size_options(const Pack& pack, const Indexed_triangles& triangles)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -146,7 +146,6 @@ Size_options read_size_options(const Pack& pack, const GeomTraits& traits, const
   const double shortest = shortest_length<typename GeomTraits::FT>(triangles);
   Size_options options;
   read_size_law(pack, options);
-  read_size_field(pack, traits, face_descriptors, options);
   options.maximum_deviation = choose_parameter(get_parameter(pack, internal_np::maximum_deviation), infinity);
   check_positive_parameter("maximum_deviation", options.maximum_deviation);
   options.largest_curve_radius = largest_part_of_curve_radius * diameter;

@@ -86,7 +86,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
     for(const face_descriptor f : faces)
       is_remeshed[get(rank, f)] = true;
   }
-  const Size_options size_options = read_size_options(pack, input.traits, input.triangles, input.face_descriptors);
+  Size_options size_options = read_size_options<GT>(pack, input.triangles);
 
   const auto is_selected = [&](const int f) { return is_remeshed[f] != 0; };
   const std::size_t maximum_number_of_faces = read_face_budget(pack, input.face_descriptors.size());
@@ -94,6 +94,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
   Remeshing_report<TriangleMesh> report;
   describe_input(input, is_selected, report);
   const std::vector<Repair> repairs = plan_repairs(input, pack, is_remeshed, report);
+  read_size_field(pack, input.traits, input.face_descriptors, size_options);
   Supervisor_of_visitor<TriangleMesh, std::remove_reference_t<Visitor_reference> >
     watched(visitor, report, maximum_running_time);
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Remesher.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/coarse_levels.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/find_quality_obstacles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/measure.h>
@@ -90,6 +91,9 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
   Remesher<User> remesher(mesh, options.maximum_number_of_iterations);
   Deviations<User> deviations;
   watched.stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
+  // a stop, which may come as an exception, leaves those of a coarser level
+  if(sizes->is_coarse())
+    set_level(mesh, 0);
   if(!watched.is_stopped())
     watched.stage("optimisation", [&] { report.stop_reason = remesher.raise_worst(remesher.optimise(report.stop_reason)); });
   if(!watched.is_stopped())

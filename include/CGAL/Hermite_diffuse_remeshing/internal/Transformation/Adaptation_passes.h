@@ -62,7 +62,7 @@ protected:
   {
     const bool is_refined = first_iteration == Length_band::first_wide_pass && since_change == 0;
     Stop_reason reason = ITERATION_BOUND;
-    for(int i = first_iteration; i < first_iteration + number_of_iterations && reason == ITERATION_BOUND; ++i)
+    for(int i = first_iteration; i - first_iteration < number_of_iterations && reason == ITERATION_BOUND; ++i)
     {
       ++m_number_of_iterations;
       const double longest = Length_band::longest(i), shortest = Length_band::shortest(i);
@@ -71,7 +71,7 @@ protected:
       changes += split_long_edges(m_mesh, longest, since_change, slack);
       changes += collapse_short_edges(m_mesh, shortest, longest, since_change);
       changes += since_last(m_flipped_at, [&](const std::size_t since) { return flip_edges_by_valence(m_mesh, since); });
-      if(!is_refined || i < first_iteration + number_of_balancing_passes_of_refined)
+      if(!is_refined || i - first_iteration < number_of_balancing_passes_of_refined)
         since_last(m_balanced_at, [&](const std::size_t since)
                    { return balance_vertices(m_mesh, since, since_change > 0 ? least_move_again : least_move); });
       if(changes > considerable_part * m_mesh.number_of_faces())

@@ -50,7 +50,7 @@ public:
   {
     Site site;                          // begins with what is asked most
     Vertex_class type = SURFACE_VERTEX;
-    int reference_vertex = -1;          // of a vertex that is still at its place in the input
+    int reference_vertex = -1;          // that it began as; where it is now if it is fixed
     bool is_frozen = false;
     vertex_descriptor descriptor = Graph_traits::null_vertex();   // one of the copies; null: the number is free
   };

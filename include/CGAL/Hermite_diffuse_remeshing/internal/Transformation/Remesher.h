@@ -55,7 +55,7 @@ public:
 
   int number_of_iterations() const { return m_number_of_iterations; }
 
-  // sizes: every edge into its band
+  // sizes: every edge into its band. After a stop they may be those of a coarser level.
   Stop_reason adapt()
   {
     if(!is_adapted(m_mesh))
@@ -134,8 +134,6 @@ private:
       const int first_pass = has_regular_sizes(m_mesh) ? Length_band::first_wide_pass : Length_band::first_tight_pass;
       reason = run_passes(first_pass, m_maximum_number_of_iterations, 0);
     }
-    if(level > 0)
-      set_level(m_mesh, 0);
     m_progress = 0.;
     m_part_of_progress = 1.;
     return reason;

@@ -110,7 +110,8 @@ public:
       throw Interrupted();
   }
   std::size_t maximum_number_of_faces() const { return m_maximum_number_of_faces; }
-  bool is_full() const { return m_number_of_faces + 2 > m_maximum_number_of_faces; }
+  bool has_room_for(const std::size_t number) const { return m_number_of_faces + number <= m_maximum_number_of_faces; }
+  bool is_full() const { return !has_room_for(2); }
   void report_progress(const double fraction) { m_user.visitor.progress(fraction); }
 
   // Room for a number of faces that are remeshed: a mesh that grows face by face is copied again and again. What is made
@@ -132,7 +133,6 @@ public:
 
   // \name Operations
   // The caller has made sure that they are legal.
-
   // inserts a vertex at a site in the edge of h and joins it to the opposite vertices
   vertex_descriptor split_edge(const halfedge_descriptor h, const Site& site)
   {

@@ -66,6 +66,8 @@ bool is_split_topologically_legal(const Working_mesh<UserMesh>& mesh,
   std::vector<int> opposite_vertices;
   for(const auto side : sides_of_split(mesh, h))
     opposite_vertices.push_back(mesh.index(target(next(side, tm), tm)));
+  if(!mesh.has_room_for(opposite_vertices.size()))
+    return false;
   std::sort(opposite_vertices.begin(), opposite_vertices.end());
   return std::adjacent_find(opposite_vertices.begin(), opposite_vertices.end()) == opposite_vertices.end();
 }
