@@ -193,6 +193,21 @@ void test_refusals()
   expect_refusal(tetrahedron(), params::approximation_error(0.01).maximum_edge_length(1e-16), "maximum_edge_length");
   expect_refusal(tetrahedron(), params::approximation_error(0.01).maximum_number_of_faces(-1), "maximum_number_of_faces");
   expect_refusal(tetrahedron(), params::approximation_error(0.01).maximum_running_time(-1.), "maximum_running_time");
+
+  // named by its rank in the mesh
+  Surface_mesh mesh = grid(8, 0.1);
+  const auto normals = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR).first;
+  const Surface_mesh::Vertex_index last(mesh.number_of_vertices() / 2);
+  normals[last] = Kernel::Vector_3(std::numeric_limits<double>::quiet_NaN(), 0., 0.);
+  expect_refusal(mesh, params::vertex_normal_map(normals), "vertex " + std::to_string(std::size_t(last)) + " ");
+
+  // a face that is none any more
+  const auto removed = *faces(mesh).begin();
+  CGAL::Euler::remove_face(mesh.halfedge(removed), mesh);
+  bool is_refused = false;
+  try { PMP::hermite_diffuse_remesh(std::vector<Surface_mesh::Face_index>(1, removed), mesh); }
+  catch(const std::invalid_argument&) { is_refused = true; }
+  assert(is_refused);
 }
 
 // degenerate faces go before features are looked for: the result has none, and no corner for them

@@ -6,6 +6,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Hermite_diffuse_remeshing/Attribute_transfer.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Polyhedron_3.h>
@@ -462,6 +463,22 @@ void test_constraints()
     else
       assert(number > 0 && number != constrained.size());
   }
+}
+
+// Edges that are gone are in no set of constrained ones any more: their descriptors may come back as other edges.
+void test_set_of_constraints()
+{
+  std::cout << "set of constraints" << std::endl;
+  Surface_mesh mesh = read_data<Surface_mesh>("joint.off");
+  std::set<Surface_mesh::Edge_index> constrained;
+  const auto is_constrained = CGAL::make_boolean_property_map(constrained);
+  PMP::detect_sharp_edges(mesh, 40., is_constrained);
+  const std::size_t number_before = constrained.size();
+  const auto report =
+    PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.3).maximum_edge_length(2.).edge_is_constrained_map(is_constrained));
+  assert(report.number_of_collapses > 0 && !constrained.empty() && constrained.size() != number_before);
+  for(const Surface_mesh::Edge_index e : constrained)
+    assert(!mesh.is_removed(e));
 }
 
 // Three corners make a needle among edges that are much longer: a better triangle takes a split of a long side, which is a
@@ -1074,6 +1091,7 @@ int main(int argc, char** argv)
   test_mesh_types();
   test_part_of_mesh();
   test_constraints();
+  test_set_of_constraints();
   test_close_corners();
   test_sharp_corners();
   test_narrow_strips();

@@ -390,6 +390,10 @@ void test_parameters()
   for(Point_3& p : bad.points)
     p = CGAL::ORIGIN + 1e60 * (p - CGAL::ORIGIN);
   assert(is_refused(bad));
+  bad = input;
+  for(Point_3& p : bad.points)
+    p = Point_3(p.x(), 0., 0.);
+  assert(is_refused(bad));
   assert(!is_refused(input));
   normals[2] = Kernel::Vector_3(0., 0., std::numeric_limits<double>::infinity());
   assert(is_refused(input));

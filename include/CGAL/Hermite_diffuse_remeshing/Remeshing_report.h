@@ -191,12 +191,14 @@ struct Remeshing_report
   /// @}
 
   /// \name Quality of the remeshed faces
+  /// without any the smallest one is 1 and the mean 0
   /// @{
   double smallest_input_quality = 0.;      ///< of the input, where it is remeshed
   double mean_input_quality = 0.;          ///< of the input, where it is remeshed
   double smallest_quality = 0.;            ///< of the result
   double mean_quality = 0.;                ///< of the result
-  /// the faces with a quality below `Low_quality_face::low_quality`, the worst first
+  /// the faces with a quality below `Low_quality_face::low_quality`, the worst first; none if the remeshing was stopped
+  /// before the mesh was changed
   std::vector<Low_quality_face<face_descriptor> > low_quality_faces;
   /// @}
 

@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/Default_remeshing_visitor.h>
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Supervisor.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/plan_repairs.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_model.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
@@ -276,8 +277,9 @@ namespace Polygon_mesh_processing {
  *         result.
  *
  * \throw std::invalid_argument if there is no triangle, if a polygon is not a triangle or names a vertex twice or one
- *        that is not there, if a coordinate or a known normal is not finite, if the diameter is outside [1e-50, 1e50],
- *        or if a parameter is out of its range. The message names it, and the soup is unchanged.
+ *        that is not there, if all triangles are degenerate, if a coordinate or a known normal is not finite, if the
+ *        diameter is outside [1e-50, 1e50], or if a parameter is out of its range. The message names it, and the soup is
+ *        unchanged.
  *
  * @sa `hermite_diffuse_remesh()`
  */
@@ -324,10 +326,11 @@ hermite_diffuse_remesh_triangle_soup(PointRange& points, TriangleRange& triangle
   Model_options model_options = read_model_options(pack);
   model_options.is_parallel = is_parallel<ConcurrencyTag>();
   Indexed_triangles surface = read_soup(points, triangles, gt);
+  check_has_area(surface, count_degenerate_faces(surface, resolution_of_coordinates(surface)));
   std::vector<std::size_t> triangle_indices(surface.number_of_faces()), point_indices(surface.points.size());
   std::iota(triangle_indices.begin(), triangle_indices.end(), std::size_t(0));
   std::iota(point_indices.begin(), point_indices.end(), std::size_t(0));
-  const std::vector<Vector> vertex_normals = read_vertex_normals(point_indices, gt, pack);
+  const std::vector<Vector> vertex_normals = read_vertex_normals(point_indices, gt, pack, [](const std::size_t i) { return i; });
   Size_options size_options = read_size_options<GT>(pack, surface);
   read_size_field(pack, gt, triangle_indices, size_options);
 

@@ -36,6 +36,18 @@ bool is_between_coincident_faces(const typename boost::graph_traits<TriangleMesh
       && !is_border(h, tm) && !is_border(opposite(h, tm), tm);
 }
 
+// the halfedge of a face that leads to a vertex; null if there is none
+template <typename TriangleMesh>
+typename boost::graph_traits<TriangleMesh>::halfedge_descriptor
+halfedge_to(const typename boost::graph_traits<TriangleMesh>::vertex_descriptor v,
+            const typename boost::graph_traits<TriangleMesh>::face_descriptor f, const TriangleMesh& tm)
+{
+  for(const auto h : CGAL::halfedges_around_face(halfedge(f, tm), tm))
+    if(target(h, tm) == v)
+      return h;
+  return boost::graph_traits<TriangleMesh>::null_halfedge();
+}
+
 // May Euler::collapse_edge() collapse the edge of h? Besides the link condition there are cases that it does not
 // handle: it takes the tip of an ear for removed together with the ear; and of faces with the same corners it would make
 // an edge from a vertex to itself, while the link condition sees no more than a common neighbor on each side.

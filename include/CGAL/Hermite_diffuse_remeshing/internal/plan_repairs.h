@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -50,6 +51,12 @@ inline std::size_t count_degenerate_faces(const Indexed_triangles& triangles, co
   for(int f = 0; f < triangles.number_of_faces(); ++f)
     number += is_degenerate_triangle(triangles.point(f, 0), triangles.point(f, 1), triangles.point(f, 2), resolution);
   return number;
+}
+
+inline void check_has_area(const Indexed_triangles& triangles, const std::size_t number_of_degenerate_faces)
+{
+  if(number_of_degenerate_faces == triangles.triangles.size())
+    throw std::invalid_argument("all faces are degenerate, from face 0 on: a surface without area has no shape");
 }
 
 inline std::size_t count_isolated_vertices(const Indexed_triangles& triangles)

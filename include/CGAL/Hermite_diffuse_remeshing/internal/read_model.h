@@ -12,6 +12,8 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_parameters.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <type_traits>
 #include <vector>
@@ -21,10 +23,10 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // Unit normals that the user gives for vertices, zero where he gives none; no vector at all without
-// the parameter.
-template <typename GeomTraits, typename VertexRange, typename Pack>
+// the parameter. `rank_of(vertex)` names a vertex to the user.
+template <typename GeomTraits, typename VertexRange, typename Pack, typename RankOf>
 std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, const GeomTraits& traits,
-                                        const Pack& pack)
+                                        const Pack& pack, const RankOf& rank_of)
 {
   std::vector<Vector> normals;
   if constexpr(!parameters::is_default_parameter<Pack, internal_np::vertex_normal_map_t>::value)
@@ -36,7 +38,7 @@ std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, c
     {
       const Vector normal = read(get(map, v));
       if(!normal.allFinite())
-        refuse("the normal of vertex " + std::to_string(normals.size()), "not a finite vector",
+        refuse("the normal of vertex " + std::to_string(rank_of(v)), "not a finite vector",
                "a normal must be finite, or zero where it is not known");
       normals.push_back(normal.stableNormalized());
     }
@@ -44,6 +46,7 @@ std::vector<Vector> read_vertex_normals(const VertexRange& vertex_descriptors, c
   CGAL_USE(vertex_descriptors);
   CGAL_USE(traits);
   CGAL_USE(pack);
+  CGAL_USE(rank_of);
   return normals;
 }
 
@@ -61,12 +64,17 @@ std::unique_ptr<Model> read_model(const Input_mesh<TriangleMesh, GeomTraits>& in
   const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
                                     Static_boolean_property_map<vertex_descriptor, false>());
   checked_diameter(input.triangles);
+  const auto rank_of = [&](const vertex_descriptor v)
+  {
+    const auto all = vertices(input.tmesh);
+    return std::distance(all.begin(), std::find(all.begin(), all.end(), v));
+  };
   Model_options options = read_model_options(pack);
   options.is_parallel = is_parallel<ConcurrencyTag>();
   return make_model<Model>(input.triangles, read_feature_options(pack), options,
                            [&](const int f, const int side) { return input.side_marks[f][side]; },
                            [&](const int v) { return get(vcm, input.vertex_descriptors[v]); },
-                           read_vertex_normals(input.vertex_descriptors, input.traits, pack), progress);
+                           read_vertex_normals(input.vertex_descriptors, input.traits, pack, rank_of), progress);
 }
 
 } // namespace internal

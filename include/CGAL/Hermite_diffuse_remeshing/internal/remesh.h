@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -84,7 +85,12 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
     const auto rank = get(CGAL::dynamic_face_property_t<int>(), tmesh);
     order_for_locality(rank, input);
     for(const face_descriptor f : faces)
-      is_remeshed[get(rank, f)] = true;
+    {
+      const int i = get(rank, f);
+      if(i < 0 || i >= static_cast<int>(is_remeshed.size()) || input.face_descriptors[i] != f)
+        throw std::invalid_argument("a face to be remeshed is not a face of the mesh: it may have been removed");
+      is_remeshed[i] = true;
+    }
   }
   Size_options size_options = read_size_options<GT>(pack, input.triangles);
 

@@ -63,8 +63,7 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
 
   const double resolution = resolution_of_coordinates(input.triangles);
   const std::size_t number = count_degenerate_faces(input.triangles, resolution);
-  if(number == input.face_descriptors.size())
-    throw std::invalid_argument("all faces are degenerate, from face 0 on: a surface without area has no shape");
+  check_has_area(input.triangles, number);
   if(number == 0 && !has_folded_face(input))
     return std::vector<Repair>();
 
@@ -115,12 +114,17 @@ collapse_at_target(const User_mesh<TriangleMesh>& user,
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
   auto& tm = user.tmesh;
   user.visitor.before_edge_collapse(h);
+  // what will be gone must not be constrained
+  user.set_constrained(edge(h, tm), false);
   boost::container::static_vector<std::pair<vertex_descriptor, bool>, 2> merged;
   for(const auto g : {h, opposite(h, tm)})
     if(!is_border(g, tm))
-      merged.push_back(std::make_pair(target(next(g, tm), tm),
-                                      user.is_constrained(edge(next(g, tm), tm))
-                                        || user.is_constrained(edge(prev(g, tm), tm))));
+    {
+      const auto e = edge(next(g, tm), tm), other = edge(prev(g, tm), tm);
+      merged.push_back(std::make_pair(target(next(g, tm), tm), user.is_constrained(e) || user.is_constrained(other)));
+      user.set_constrained(e, false);
+      user.set_constrained(other, false);
+    }
   const vertex_descriptor v = CGAL::Euler::collapse_edge(edge(h, tm), tm);
   user.set_point(v, p);
   for(const auto& other : merged)

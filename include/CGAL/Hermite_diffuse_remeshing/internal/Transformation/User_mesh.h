@@ -58,9 +58,10 @@ class User_mesh_with_maps : public User_mesh<TriangleMesh>
   using typename Base::edge_descriptor;
   using typename Base::face_descriptor;
 
-  VertexPointMap m_points;
-  EdgeIsConstrainedMap m_edge_is_constrained;
-  FacePatchMap m_face_patch;
+  // some maps, such as CGAL::Boolean_property_map of CGAL 5, are not written to as constants
+  mutable VertexPointMap m_points;
+  mutable EdgeIsConstrainedMap m_edge_is_constrained;
+  mutable FacePatchMap m_face_patch;
   GeomTraits m_traits;
 
 public:

@@ -12,6 +12,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Guarded_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/sort_free_elements.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/edge_topology.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <CGAL/assertions.h>
@@ -210,12 +211,13 @@ public:
   {
     TriangleMesh& tm = m_user.tmesh;
     m_user.visitor.before_vertex_removal(v);
+    for(const halfedge_descriptor h : CGAL::halfedges_around_target(v, tm))
+      m_user.set_constrained(edge(h, tm), false);
     touch_around(v);
     forget_around(v);
     free_vertex(index(v));
     m_number_of_faces -= degree(v, tm) - 1;
-    const std::vector<face_descriptor> parts =
-      fill_polygon(CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm), diagonals);
+    const auto parts = fill_polygon(CGAL::Euler::remove_center_vertex(halfedge(v, tm), tm), diagonals);
     ++m_counts.vertex_removals;
     m_user.visitor.after_vertex_removal();
     tell_of_parts(parts);
@@ -236,6 +238,7 @@ public:
     forget_around(target(h, tm));
     for(std::size_t i = 0; i < number_of_edges; ++i)
     {
+      m_user.set_constrained(edge(next(h, tm), tm), false);
       CGAL::Euler::join_face(next(h, tm), tm);
       --m_number_of_faces;
       ++m_counts.flips;
@@ -321,17 +324,20 @@ private:
     m_user.visitor.before_edge_collapse(h);
     const halfedge_descriptor o = opposite(h, tm);
     const vertex_descriptor target_before = target(h, tm);
-
     // Euler::collapse_edge() keeps one edge of each of the two triangles, which one depends on the direction of the edge;
-    // ours are the ones at the target. Those that the user knows stay themselves.
+    // ours are the ones at the target. Protected edges stay themselves; others must not be constrained when they are gone.
+    m_user.set_constrained(edge(h, tm), false);
     boost::container::static_vector<std::pair<vertex_descriptor, Edge>, 2> kept_edges;
     for(const halfedge_descriptor side : {h, o})
       if(!CGAL::is_border(side, tm))
       {
         --m_number_of_faces;
         Base::forget(face(side, tm));
-        kept_edges.push_back(std::make_pair(target(next(side, tm), tm),
-                                            get(m_edge, edge(side == h ? next(h, tm) : prev(o, tm), tm))));
+        const edge_descriptor kept = edge(side == h ? next(h, tm) : prev(o, tm), tm);
+        kept_edges.push_back(std::make_pair(target(next(side, tm), tm), get(m_edge, kept)));
+        for(const halfedge_descriptor g : {next(side, tm), prev(side, tm)})
+          if(!get(m_edge, edge(g, tm)).is_protected)
+            m_user.set_constrained(edge(g, tm), false);
       }
     const auto is_protected_edge = boost::make_function_property_map<typename Graph_traits::edge_descriptor>(
       [this](const auto e) { return get(m_edge, e).is_protected; });
@@ -370,14 +376,8 @@ private:
     for(const std::pair<vertex_descriptor, vertex_descriptor>& ends : diagonals)
       for(const face_descriptor part : parts)
       {
-        halfedge_descriptor to_first = Graph_traits::null_halfedge(), to_second = to_first;
-        for(const halfedge_descriptor g : CGAL::halfedges_around_face(halfedge(part, tm), tm))
-        {
-          if(target(g, tm) == ends.first)
-            to_first = g;
-          if(target(g, tm) == ends.second)
-            to_second = g;
-        }
+        const halfedge_descriptor to_first = halfedge_to(ends.first, part, tm);
+        const halfedge_descriptor to_second = halfedge_to(ends.second, part, tm);
         if(to_first == Graph_traits::null_halfedge() || to_second == Graph_traits::null_halfedge())
           continue;
         parts.push_back(split_face(to_first, to_second).second);
