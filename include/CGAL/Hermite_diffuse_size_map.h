@@ -109,8 +109,8 @@ public:
    *
    * Degenerate and folded faces are taken as they are: the remeshing, which repairs them, may find other sizes near by.
    *
-   * Takes time and memory proportional to the number of faces, but for a logarithmic factor, and to the number of
-   * places where the sizes vary inside a face.
+   * Takes time and memory proportional to the number of faces, but for a logarithmic factor and for vertices with very
+   * many faces, which take the square of their number, and to the number of places where the sizes vary inside a face.
    *
    * \throw std::invalid_argument if the mesh has no face, a face that is not a triangle, a coordinate that is not
    *        finite or a diameter outside [1e-50, 1e50], or if a parameter of the model or of the sizes is out of its

@@ -10,6 +10,7 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <algorithm>
 #include <cassert>
 #include <functional>
 #include <iostream>
@@ -254,6 +255,41 @@ void test_tessellated(const double upper_radius, const double height, const int 
   assert(part == 1. && labels.surfaces.size() == 3);
 }
 
+// A part of a cylinder closed by a plane: the strips between two rulings at the rims belong to the cylinder.
+void test_cylinder_panel(const int number_of_facets, const int number_of_rows, const double arc)
+{
+  using namespace CGAL::Hermite_diffuse_remeshing;
+  Mesh mesh;
+  std::vector<std::vector<Mesh::Vertex_index> > rows(number_of_rows + 1);
+  for(int j = 0; j <= number_of_rows; ++j)
+    for(int i = 0; i <= number_of_facets; ++i)
+    {
+      const double angle = arc * i / number_of_facets;
+      rows[j].push_back(mesh.add_vertex(Point_3(std::cos(angle), std::sin(angle), 2. * j / number_of_rows)));
+    }
+  const auto add_quadrangle = [&](const int j, const int from, const int to)
+  {
+    mesh.add_face(rows[j][from], rows[j][to], rows[j + 1][from]);
+    mesh.add_face(rows[j + 1][from], rows[j][to], rows[j + 1][to]);
+  };
+  for(int j = 0; j < number_of_rows; ++j)
+  {
+    for(int i = 0; i < number_of_facets; ++i)
+      add_quadrangle(j, i, i + 1);
+    add_quadrangle(j, number_of_facets, 0);
+  }
+  for(int i = 1; i < number_of_facets; ++i)
+  {
+    mesh.add_face(rows.front()[0], rows.front()[i + 1], rows.front()[i]);
+    mesh.add_face(rows.back()[0], rows.back()[i], rows.back()[i + 1]);
+  }
+  const Labels labels = classify(mesh);
+  const auto is_cylinder = [](const Surface& s) { return s.type == CYLINDER_SURFACE; };
+  const auto found = std::find_if(labels.surfaces.begin(), labels.surfaces.end(), is_cylinder);
+  assert(labels.surfaces.size() == 4 && found != labels.surfaces.end());
+  assert(int(found->number_of_faces) == 2 * number_of_facets * number_of_rows && is_near(found->radius, 1.));
+}
+
 // vertices that have been moved belong to a plane by a distance, but not by default
 void test_distance()
 {
@@ -275,6 +311,10 @@ int main()
     for(const double height : {0.1, 1., 4.})
       for(const int number_of_rings : {2, 3, 5})
         test_tessellated(upper_radius, height, number_of_rings);
+  for(const int number_of_facets : {8, 16, 32})
+    for(const int number_of_rows : {1, 4})
+      for(const double arc : {analytic::pi, 2. / 3. * analytic::pi})
+        test_cylinder_panel(number_of_facets, number_of_rows, arc);
   test_cube();
   test_whole_surfaces();
   test_fillets(48, 0.);

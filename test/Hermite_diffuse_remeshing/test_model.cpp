@@ -215,6 +215,67 @@ void test_reproduction()
     assert(std::abs(polynomial[i] - exact[i]) < 1e-12);
 }
 
+// what the two faces of a side say at the part u of it
+std::pair<Local_quadric, Local_quadric> at_side(const Reference_surface& surface, const int f, const int k, const double u)
+{
+  const Indexed_triangles& triangles = surface.triangles();
+  const int g = surface.cut_mesh().neighbor(f, k);
+  Location a = {f, {{0., 0., 0.}}}, b = {g, {{0., 0., 0.}}};
+  a.coordinates[k] = 1. - u;
+  a.coordinates[next(k)] = u;
+  for(int j = 0; j < 3; ++j)
+    for(const int l : {k, next(k)})
+      if(triangles.triangles[g][j] == triangles.triangles[f][l])
+        b.coordinates[j] = a.coordinates[l];
+  return std::make_pair(surface.evaluate(a), surface.evaluate(b));
+}
+
+// An apex has no normal: however close to it, that of the others is blended.
+void test_continuity_at_apex()
+{
+  analytic::Random random(3);
+  const Indexed_triangles cone = indexed(analytic::surface_of_revolution(
+    12, {{{0.8, 0.}}, {{0.6, 0.25}}, {{0.4, 0.5}}, {{0.2, 0.75}}, {{0., 1.}}}, random));
+  const Feature_options features = {infinite, analytic::pi / 3., analytic::pi / 6.};
+  const Input_model model(cone, features, Model_options(), [](int, int) { return UNMARKED_EDGE; },
+                          [](int) { return false; }, std::vector<Vector>());
+  const Reference_surface& surface = model.surface;
+  double jump = 0., turn = 0.;
+  int number = 0;
+  for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
+    for(int k = 0; k < 3; ++k)
+      if(surface.node(f, k).is_singular && surface.cut_mesh().neighbor(f, k) != -1)
+        for(const double u : {1e-4, 5e-4, 9e-4, 2e-3})
+        {
+          const auto [p, q] = at_side(surface, f, k, u);
+          jump = (std::max)(jump, (p.point() - q.point()).norm() / p.size);
+          turn = (std::max)(turn, angle_between(p.normal(), q.normal()));
+          ++number;
+        }
+  assert(number >= 12 * 4);
+  const bool is_continuous = is_at_most("apex, jump", jump, 1e-12);
+  assert(is_at_most("apex, turn", turn, 1e-9) && is_continuous);
+}
+
+// Coordinates add up to one on a needle far from the origin, too: the place would be off by what is missing, times the
+// distance of the origin.
+void test_locations_on_needles()
+{
+  analytic::Random random(1);
+  for(int i = 0; i < 1000; ++i)
+  {
+    const auto vector = [&] { return Vector(random(-1., 1.), random(-1., 1.), random(-1., 1.)); };
+    const Vector a = 1000. * vector(), side = vector().normalized(), b = a + side;
+    const Vector c = a + random(0.2, 0.8) * side + 1e-11 * vector();
+    Indexed_triangles needle;
+    needle.points = {a, b, c};
+    needle.triangles = {{{0, 1, 2}}};
+    const Vector middle = (a + b) / 2.;
+    const Barycentric l = closest_on_face(needle, 0, middle).coordinates;
+    assert(std::abs(l[0] + l[1] + l[2] - 1.) < 1e-12 && *std::min_element(l.begin(), l.end()) >= 0.);
+  }
+}
+
 void test_continuity()
 {
   const std::vector<Test_surface> s = analytic::all_test_surfaces();
@@ -234,18 +295,10 @@ void test_continuity()
         for(int f = 0; f < triangles.number_of_faces(); ++f)
           for(int k = 0; k < 3; ++k)
           {
-            const int g = cut_mesh.neighbor(f, k);
-            if(g < f)
+            if(cut_mesh.neighbor(f, k) < f)
               continue;
             const double u = random(0., 1.);
-            Location a = {f, {{0., 0., 0.}}}, b = {g, {{0., 0., 0.}}};
-            a.coordinates[k] = 1. - u;
-            a.coordinates[next(k)] = u;
-            for(int j = 0; j < 3; ++j)
-              for(const int l : {k, next(k)})
-                if(triangles.triangles[g][j] == triangles.triangles[f][l])
-                  b.coordinates[j] = a.coordinates[l];
-            const Local_quadric p = model->surface.evaluate(a), q = model->surface.evaluate(b);
+            const auto [p, q] = at_side(model->surface, f, k, u);
             jump = (std::max)(jump, (p.point() - q.point()).norm() / p.size);
             turn = (std::max)(turn, angle_between(p.normal(), q.normal()));
           }
@@ -951,6 +1004,8 @@ int main()
   test_maximum_displacement();
   test_interpolation();
   test_continuity();
+  test_continuity_at_apex();
+  test_locations_on_needles();
   test_saved_memory();
   test_weights_at_many_faces();
   test_invariance();

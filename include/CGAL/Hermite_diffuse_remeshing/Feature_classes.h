@@ -35,7 +35,8 @@ enum Edge_class
  *
  * what a vertex is to the model of the surface. `SURFACE_VERTEX` and `CURVE_VERTEX` may move, on the
  * surface and along their feature curve; the others are corners, which keep their exact place. Where several reasons
- * hold an apex goes before what the user says, that before touching sheets, and these before junctions and kinks.
+ * hold an apex goes before what the user says, and that before junctions and kinks; sheets that touch count where nothing
+ * else does.
  */
 enum Vertex_class
 {

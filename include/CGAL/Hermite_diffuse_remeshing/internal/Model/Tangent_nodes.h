@@ -140,14 +140,19 @@ private:
     std::vector<Vector> normals;
     for(const Candidate& candidate : candidates)
       normals.push_back(blended(candidate, true));
-    constexpr int number_of_sweeps = 3;
-    for(int sweep = 0; sweep <= number_of_sweeps; ++sweep)
+    const auto assign = [&]
     {
       for(std::size_t k = 0; k < candidates.size(); ++k)
         m_normals[candidates[k].facets.node] = normals[k];
+    };
+    constexpr int number_of_sweeps = 3;
+    for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
+    {
+      assign();
       for(std::size_t k = 0; k < candidates.size(); ++k)
         normals[k] = blended(candidates[k], false);
     }
+    assign();
   }
 
   Rises rises(const int i) const { return find_rises(m_surface, m_cut_mesh, m_nodes, m_regions, i); }

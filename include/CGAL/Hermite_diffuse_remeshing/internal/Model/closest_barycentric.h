@@ -63,20 +63,6 @@ inline Barycentric closest_barycentric(const Vector& a, const Vector& b, const V
   return result;
 }
 
-// of a point of a facet
-inline Location location_on_facet(const Indexed_triangles& triangles, const int f, const Vector& p)
-{
-  const Vector n = triangles.area_vector(f);
-  const double area2 = n.squaredNorm();
-  Location location;
-  location.face = f;
-  if(area2 > 0.)
-    for(int k = 0; k < 3; ++k)
-      location.coordinates[k] = (std::max)(0., (triangles.point(f, next(k)) - p)
-                                 .cross(triangles.point(f, previous(k)) - p).dot(n) / area2);
-  return location;
-}
-
 inline Location closest_on_face(const Indexed_triangles& triangles, const int f, const Vector& p)
 {
   Location location;

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -68,11 +69,14 @@ public:
   {
     // The flattest first: two circles around an axis, as a tessellated cylinder has no others, lie on a cone, a sphere and
     // a torus too. Its facets bend one way only.
-    const Basic_surface_type types[] = {PLANE_SURFACE, CYLINDER_SURFACE, CONE_SURFACE, SPHERE_SURFACE, TORUS_SURFACE};
-    // two rings determine a shape better, one may be all there is on a narrow fillet
-    for(const Basic_surface_type type : types)
+    // Two rings determine a shape better, one may be all there is on a narrow fillet; but one ring at the straight rim of
+    // a cylinder is a strip between two rulings, which is plane.
+    const std::pair<Basic_surface_type, std::vector<int> > tries[] = {
+      {PLANE_SURFACE, {2}}, {CYLINDER_SURFACE, {2}}, {PLANE_SURFACE, {1}}, {CYLINDER_SURFACE, {1}},
+      {CONE_SURFACE, {2, 1}}, {SPHERE_SURFACE, {2, 1}}, {TORUS_SURFACE, {2, 1}}};
+    for(const auto& [type, numbers_of_rings] : tries)
       for(int i = 0; i < m_surface.cut_mesh().number_of_nodes(); ++i)
-        for(const int rings : {2, 1})
+        for(const int rings : numbers_of_rings)
           for(const int c : m_surface.cut_mesh().corners(i))
             if(m_region[c / 3] == -1)
             {

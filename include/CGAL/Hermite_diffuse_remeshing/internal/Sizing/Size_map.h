@@ -285,7 +285,7 @@ private:
     const bool is_user_asked = m_sources.has_user_size() && (is_new || m_sources.options().is_user_size_local);
     if(is_new || is_on_curve || is_user_asked)
     {
-      const Location location = location_on_facet(m_sources.triangles(), cell.face, m_samples.position(sample));
+      const Location location = closest_on_face(m_sources.triangles(), cell.face, m_samples.position(sample));
       if(is_new || is_on_curve)
         lower(sample, is_on_curve ? m_sources.of_surface_beside(location) : m_sources.of_surface_around(location));
       if(is_user_asked)
@@ -367,7 +367,7 @@ private:
           p += l[m] * m_samples.position(cell.samples[m]);
           interpolated += l[m] * s[m];
         }
-        const double size = m_sources.of_user(p, location_on_facet(m_sources.triangles(), cell.face, p));
+        const double size = m_sources.of_user(p, closest_on_face(m_sources.triangles(), cell.face, p));
         if(size * (1. + size_tolerance) < interpolated && length > sides_per_size * size)
           return true;
       }

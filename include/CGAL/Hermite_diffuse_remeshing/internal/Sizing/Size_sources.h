@@ -139,7 +139,7 @@ public:
     const int e = m_edges.edge(location.face, side);
     double result = std::numeric_limits<double>::infinity();
     for(int i = 0; i < m_edges.number_of_sides(e); ++i)
-      result = (std::min)(result, of_surface_beside(location_on_facet(triangles(), m_edges.side(e, i).face, p)));
+      result = (std::min)(result, of_surface_beside(closest_on_face(triangles(), m_edges.side(e, i).face, p)));
     return result;
   }
 
