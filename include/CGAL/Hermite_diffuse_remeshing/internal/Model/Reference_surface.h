@@ -207,13 +207,10 @@ private:
   Vector blended_normal(const Location& location, const Vector& sum) const
   {
     const double norm = sum.norm();
-    // a face whose corners are all singular, or where the normals cancel; what of a sum is left near an apex counts
+    // a face whose corners are all singular, or where the normals cancel; or closer to an apex than this part of an edge
     constexpr double least_norm = 1e-3;
-    double weight = 0.;
-    for(int k = 0; k < 3; ++k)
-      weight += node(location.face, k).has_normal() ? location.coordinates[k] : 0.;
-    return norm > least_norm * weight ? Vector(sum / norm)
-                                      : Vector(m_triangles.area_vector(location.face).stableNormalized());
+    return norm > least_norm ? Vector(sum / norm)
+                             : Vector(m_triangles.area_vector(location.face).stableNormalized());
   }
 
   // Where the normals of the corners nearly cancel, as on a face that is folded over, the frame turns by half a circle
