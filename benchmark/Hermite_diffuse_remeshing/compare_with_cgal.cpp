@@ -5,6 +5,7 @@
 
 #include "../../test/Hermite_diffuse_remeshing/analytic_surfaces.h"
 #include "../../test/Hermite_diffuse_remeshing/make_mesh.h"
+#include "../../test/Hermite_diffuse_remeshing/mesh_measures.h"
 #include "find_value.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,7 +13,6 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
@@ -91,7 +91,7 @@ void compare(const std::string& name, const Mesh& input, const Distance& distanc
 {
   const std::size_t number_of_faces = run(name, "this package", input, distance, [](Mesh& mesh)
   { PMP::hermite_diffuse_remesh(mesh, CGAL::parameters::approximation_error(error).sharp_dihedral_angle(sharp_angle)); });
-  const double size = std::sqrt(4. / std::sqrt(3.) * PMP::area(input) / number_of_faces);
+  const double size = size_for(input, double(number_of_faces));
   const auto number_of_faces_of = [&](const auto& remesh)
   {
     Mesh mesh = input;

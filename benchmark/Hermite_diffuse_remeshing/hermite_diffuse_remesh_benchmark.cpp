@@ -25,7 +25,6 @@
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/hermite_diffuse_remesh.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Surface_mesh.h>
@@ -189,11 +188,6 @@ Stages run(Mesh& mesh, const Parameters& parameters, const int number_of_threads
 #endif
   CGAL_USE(number_of_threads);
   return PMP::hermite_diffuse_remesh(mesh, parameters).stages;
-}
-
-double size_for(const Mesh& mesh, const double number_of_faces)
-{
-  return std::sqrt(4. / std::sqrt(3.) * PMP::area(mesh) / number_of_faces);
 }
 
 auto uniform(const double size)

@@ -6,6 +6,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>     // before CGAL's distances, which need its functions
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
@@ -23,6 +24,13 @@ double diagonal_of_box(const Mesh& mesh)
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   return std::sqrt(CGAL::square(box.xmax() - box.xmin()) + CGAL::square(box.ymax() - box.ymin())
                    + CGAL::square(box.zmax() - box.zmin()));
+}
+
+// the side of equilateral triangles that are as many on the mesh
+template <typename Mesh>
+double size_for(const Mesh& mesh, const double number_of_faces)
+{
+  return std::sqrt(4. / std::sqrt(3.) * CGAL::Polygon_mesh_processing::area(mesh) / number_of_faces);
 }
 
 template <typename Point>

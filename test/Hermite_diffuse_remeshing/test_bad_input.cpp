@@ -1,6 +1,7 @@
 // The tables of the manual: what is refused, what is repaired, what is accepted as it is, and why
 // triangles of the result are bad.
 
+#include "is_refused.h"
 #include "test_helpers.h"
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -197,17 +198,14 @@ void test_refusals()
   // named by its rank in the mesh
   Surface_mesh mesh = grid(8, 0.1);
   const auto normals = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Vector_3>("v:normal", CGAL::NULL_VECTOR).first;
-  const Surface_mesh::Vertex_index last(mesh.number_of_vertices() / 2);
-  normals[last] = Kernel::Vector_3(std::numeric_limits<double>::quiet_NaN(), 0., 0.);
-  expect_refusal(mesh, params::vertex_normal_map(normals), "vertex " + std::to_string(std::size_t(last)) + " ");
+  const Surface_mesh::Vertex_index in_middle(mesh.number_of_vertices() / 2);
+  normals[in_middle] = Kernel::Vector_3(std::numeric_limits<double>::quiet_NaN(), 0., 0.);
+  expect_refusal(mesh, params::vertex_normal_map(normals), "vertex " + std::to_string(std::size_t(in_middle)) + " ");
 
   // a face that is none any more
   const auto removed = *faces(mesh).begin();
   CGAL::Euler::remove_face(mesh.halfedge(removed), mesh);
-  bool is_refused = false;
-  try { PMP::hermite_diffuse_remesh(std::vector<Surface_mesh::Face_index>(1, removed), mesh); }
-  catch(const std::invalid_argument&) { is_refused = true; }
-  assert(is_refused);
+  assert(is_refused([&] { PMP::hermite_diffuse_remesh(std::vector<Surface_mesh::Face_index>(1, removed), mesh); }));
 }
 
 // degenerate faces go before features are looked for: the result has none, and no corner for them

@@ -1,9 +1,9 @@
 // Stops, exceptions and failing allocations at any moment leave a valid mesh; what would never end is cut off.
 
+#include "mesh_measures.h"
 #include "test_helpers.h"
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Refinement_attempts.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>
 
 #include <cmath>
@@ -194,12 +194,6 @@ void test_stops_and_exceptions(const int number_of_moments)
     assert(is_thrown);
     check_result(input, mesh);
   }
-}
-
-// of equilateral triangles that are as many on the mesh
-double size_for(const Surface_mesh& mesh, const double number_of_faces)
-{
-  return std::sqrt(4. / std::sqrt(3.) * PMP::area(mesh) / number_of_faces);
 }
 
 // A mesh with large sizes comes first. Whenever a stop comes, the sizes that are written are those that were asked for.

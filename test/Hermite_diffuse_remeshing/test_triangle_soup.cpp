@@ -249,7 +249,6 @@ void test_normals()
   assert(error(known) < error(plain) / 3.);
 }
 
-// maps of the user with indices as keys, and what is refused
 // A split at the spine of a book adds a face to each leaf: the last one that there would be room for if it added two
 // is not made.
 void test_budget_at_junction()
@@ -276,6 +275,7 @@ void test_budget_at_junction()
     }
 }
 
+// maps of the user with indices as keys, and what is refused
 void test_parameters()
 {
   std::cout << "parameters" << std::endl;

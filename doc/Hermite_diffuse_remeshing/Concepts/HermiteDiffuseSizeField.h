@@ -14,8 +14,8 @@ second.
 `std::size_t` where a soup is remeshed. A model need not name them.
 
 A field is read before the mesh is changed, and not afterwards. It is not asked about faces that a repair takes away;
-beside these, where a repair changes the corners of a face, the coordinates are those between its new corners. It must be a function in the
-mathematical sense: the same place has the same size, however often and in whichever order it is
+beside these, where a repair changes the corners of a face, the coordinates are those between its new corners. It must
+be a function in the mathematical sense: the same place has the same size, however often and in whichever order it is
 asked. It is copied; a copy must give the same sizes. Its call operator is `const`.
 
 A size is a length, larger than 0, in the unit of the mesh. Infinity means that there is no wish at

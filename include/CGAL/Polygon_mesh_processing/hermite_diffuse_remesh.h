@@ -57,8 +57,8 @@ namespace Polygon_mesh_processing {
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * @param faces the faces of `tmesh` to be remeshed; the others are left exactly as they are, and so are the
- *        edges between the two. The surface is fitted to the whole mesh. Without any, nothing changes; one that has been removed
- *        is refused.
+ *        edges between the two. The surface is fitted to the whole mesh. Without any, nothing changes; one
+ *        that has been removed is refused.
  * @param tmesh the mesh
  * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
