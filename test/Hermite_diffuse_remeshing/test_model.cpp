@@ -230,6 +230,33 @@ std::pair<Local_quadric, Local_quadric> at_side(const Reference_surface& surface
   return std::make_pair(surface.evaluate(a), surface.evaluate(b));
 }
 
+// An apex has no normal: however close to it, that of the others is blended.
+void test_continuity_at_apex()
+{
+  analytic::Random random(3);
+  const Indexed_triangles cone = indexed(analytic::surface_of_revolution(
+    12, {{{0.8, 0.}}, {{0.6, 0.25}}, {{0.4, 0.5}}, {{0.2, 0.75}}, {{0., 1.}}}, random));
+  const Feature_options features = {infinite, analytic::pi / 3., analytic::pi / 6.};
+  const Input_model model(cone, features, Model_options(), [](int, int) { return UNMARKED_EDGE; },
+                          [](int) { return false; }, std::vector<Vector>());
+  const Reference_surface& surface = model.surface;
+  double jump = 0., turn = 0.;
+  int number = 0;
+  for(int f = 0; f < surface.triangles().number_of_faces(); ++f)
+    for(int k = 0; k < 3; ++k)
+      if(surface.node(f, k).is_singular && surface.cut_mesh().neighbor(f, k) != -1)
+        for(const double u : {1e-4, 5e-4, 9e-4, 2e-3})
+        {
+          const auto [p, q] = at_side(surface, f, k, u);
+          jump = (std::max)(jump, (p.point() - q.point()).norm() / p.size);
+          turn = (std::max)(turn, angle_between(p.normal(), q.normal()));
+          ++number;
+        }
+  assert(number >= 12 * 4);
+  const bool is_continuous = is_at_most("apex, jump", jump, 1e-12);
+  assert(is_at_most("apex, turn", turn, 1e-9) && is_continuous);
+}
+
 // Coordinates add up to one on a needle far from the origin, too: the place would be off by what is missing, times the
 // distance of the origin.
 void test_locations_on_needles()
@@ -977,6 +1004,7 @@ int main()
   test_maximum_displacement();
   test_interpolation();
   test_continuity();
+  test_continuity_at_apex();
   test_locations_on_needles();
   test_saved_memory();
   test_weights_at_many_faces();

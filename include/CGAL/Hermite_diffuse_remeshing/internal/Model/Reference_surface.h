@@ -204,13 +204,26 @@ private:
     return sum;
   }
 
+  // what the corners that have a normal add to its sum: less than one near an apex
+  double weight_of_normals(const Location& location) const
+  {
+    double weight = 0.;
+    for(int k = 0; k < 3; ++k)
+      if(node(location.face, k).has_normal())
+        weight += location.coordinates[k];
+    return weight;
+  }
+
   Vector blended_normal(const Location& location, const Vector& sum) const
   {
-    const double norm = sum.norm();
-    // a face whose corners are all singular, or where the normals cancel; or closer to an apex than this part of an edge
+    // where the normals cancel
     constexpr double least_norm = 1e-3;
-    return norm > least_norm ? Vector(sum / norm)
-                             : Vector(m_triangles.area_vector(location.face).stableNormalized());
+    // at an apex, whose own coordinates are known to rounding only, or where all corners are singular
+    constexpr double least_weight = 1e-8;
+    const double norm = sum.norm(), weight = weight_of_normals(location);
+    return weight > least_weight && norm > least_norm * weight
+             ? Vector(sum / norm)
+             : Vector(m_triangles.area_vector(location.face).stableNormalized());
   }
 
   // Where the normals of the corners nearly cancel, as on a face that is folded over, the frame turns by half a circle
@@ -223,10 +236,7 @@ private:
     const double norm = sum.norm();
     if(norm >= credible_norm)
       return 1.;
-    double weight = 0.;
-    for(int k = 0; k < 3; ++k)
-      if(node(location.face, k).has_normal())
-        weight += location.coordinates[k];
+    const double weight = weight_of_normals(location);
     return fade(norm, incredible_norm * weight, credible_norm * weight);
   }
 
