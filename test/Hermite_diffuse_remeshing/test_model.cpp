@@ -311,6 +311,31 @@ void test_continuity()
   assert(ok);
 }
 
+// On a plane the fit is the plane, and no rounding makes it curved, however many faces a vertex has.
+void test_flat_faces()
+{
+  const Vector x = Vector(1., 2., -0.5).normalized(), y = Vector(0.3, -0.1, 0.2).cross(x).normalized();
+  constexpr int number_of_faces = 300;
+  Indexed_triangles disc;
+  disc.points.push_back(Vector(3., 1., 2.));
+  for(int i = 0; i < number_of_faces; ++i)
+  {
+    const double angle = 2. * analytic::pi * i / number_of_faces;
+    disc.points.push_back(disc.points[0] + std::cos(angle) * x + std::sin(angle) * y);
+    disc.triangles.push_back({{0, 1 + i, 1 + (i + 1) % number_of_faces}});
+  }
+  const auto model = make_model(disc);
+  for(int f = 0; f < number_of_faces; ++f)
+  {
+    const Location location = {f, {{0.3, 0.6, 0.1}}};
+    Local_quadric quadric = model->surface.evaluate(location);
+    assert((quadric.point() - disc.point(location)).norm() < 1e-14);
+    quadric.a[0] = 0.;
+    assert(quadric.a == Local_quadric().a);
+    assert((quadric.normal() - x.cross(y)).norm() < 1e-13);
+  }
+}
+
 // A model without the weights that are found beforehand is the same.
 void test_saved_memory()
 {
@@ -1006,6 +1031,7 @@ int main()
   test_continuity();
   test_continuity_at_apex();
   test_locations_on_needles();
+  test_flat_faces();
   test_saved_memory();
   test_weights_at_many_faces();
   test_invariance();

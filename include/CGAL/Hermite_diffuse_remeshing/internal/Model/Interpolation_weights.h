@@ -33,7 +33,7 @@ namespace internal {
 class Interpolation_weights
 {
   // A node of a face of valences 6 is one of 12. Around a vertex with very many faces every one of them would have all the
-  // others' nodes: those of a face with more are found again for each query.
+  // others' nodes: those of a face with more are found again for each query. So are those of flat faces: nobody asks.
   static constexpr std::size_t largest_number = 64;
   // a node that is no corner
   static constexpr unsigned char no_corner = 3;
@@ -52,11 +52,20 @@ class Interpolation_weights
   Neighbors_on_lines m_on_lines;
 
 public:
-  Interpolation_weights(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const int number_of_faces,
-                        Neighbors_on_lines on_lines, const bool is_parallel, const Progress& progress)
+  Interpolation_weights() = default;
+  Interpolation_weights(const Cut_mesh& cut_mesh, const std::vector<Node>& nodes, const std::vector<char>& is_flat,
+                        const int number_of_faces, Neighbors_on_lines on_lines, const bool is_parallel,
+                        const Progress& progress)
     : m_first(1, 0), m_on_lines(std::move(on_lines))
   {
-    const std::size_t most = largest_total(cut_mesh, number_of_faces);
+    const auto is_remembered = [&](const int face)
+    {
+      const auto& corners = cut_mesh.nodes(face);
+      return std::all_of(corners.begin(), corners.end(),
+                         [&](const int node) { return std::size_t(cut_mesh.ring(node).size()) < largest_number; })
+          && !std::all_of(corners.begin(), corners.end(), [&](const int node) { return is_flat[node]; });
+    };
+    const std::size_t most = largest_total(cut_mesh, number_of_faces, is_remembered);
     m_nodes.reserve(most);
     m_corners.reserve(most);
     m_first.reserve(number_of_faces + 1);
@@ -67,7 +76,14 @@ public:
     {
       const int number = (std::min)(block_size, number_of_faces - first);
       for_each_index(number, is_parallel, [&]
-      { return [&](const int i) { collect(cut_mesh, nodes, first + i, of_faces[i]); }; }, progress.part(0., 0.));
+      {
+        return [&](const int i)
+        {
+          of_faces[i].clear();
+          if(is_remembered(first + i))
+            collect(cut_mesh, nodes, first + i, of_faces[i]);
+        };
+      }, progress.part(0., 0.));
       for(int i = 0; i < number; ++i)
         enter(of_faces[i]);
     }
@@ -124,11 +140,14 @@ private:
   }
 
   // each side of a face joins two of its corners
-  static std::size_t largest_total(const Cut_mesh& cut_mesh, const int number_of_faces)
+  template <typename IsRemembered>
+  static std::size_t largest_total(const Cut_mesh& cut_mesh, const int number_of_faces, const IsRemembered& is_remembered)
   {
     std::size_t result = 0;
     for(int f = 0; f < number_of_faces; ++f)
     {
+      if(!is_remembered(f))
+        continue;
       std::size_t number = 0;
       for(const int node : cut_mesh.nodes(f))
         number += cut_mesh.ring(node).size() - 1;

@@ -35,6 +35,15 @@ struct Node
 
   bool has_normal() const { return normal != Vector::Zero(); }
 
+  // Relative to the size, and of unit normals: coordinates are rounded to this where a body is ten thousand times as large.
+  // Fits reproduce their nodes no better.
+  static constexpr double rounding_of_planes = 1e-12;
+  // Is p in the plane through the node with a normal?
+  bool sees_in_plane(const Vector& p, const Vector& plane_normal) const
+  {
+    return std::abs((p - position).dot(plane_normal)) <= rounding_of_planes * size;
+  }
+
   // Of the terms of order three near the node; a large one turns a cubic into a quadratic. Because the
   // ridge is blended over the face, the degree changes continuously. Tangent nodes at both ends of an edge may be alone
   // on it, and determine no terms across it: a fit that leaves these to rounding would not be believed there.

@@ -56,6 +56,9 @@ public:
     m_neighborhood.collect(node, m_cut_mesh.is_open(node) ? 3 : 2);
     if(!has_enough<4>())
       m_neighborhood.add_ring();
+    // whatever would be fitted, it is the plane
+    if(is_in_plane(node))
+      return {m_max_normals[node], 0.};
     const Node_frame frame(m_nodes[node].position, m_max_normals[node],
                            m_nodes[*m_cut_mesh.ring(node).begin()].position, m_nodes[node].size);
     const double turn = mean_turn(frame.z_axis);
@@ -75,6 +78,14 @@ public:
   }
 
 private:
+  // with its neighbourhood
+  bool is_in_plane(const int node) const
+  {
+    const std::vector<int>& neighbors = m_neighborhood.neighbors();
+    return std::all_of(neighbors.begin(), neighbors.end(), [&](const int j)
+                       { return m_nodes[node].sees_in_plane(m_nodes[j].position, m_max_normals[node]); });
+  }
+
   // mean of 1 - cosine of the angles between the Max normals around and the node's
   double mean_turn(const Vector& normal) const
   {

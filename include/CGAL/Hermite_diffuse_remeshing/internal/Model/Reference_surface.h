@@ -10,9 +10,9 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_MODEL_REFERENCE_SURFACE_H
 
 #include <CGAL/Hermite_diffuse_remeshing/Model_choices.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Curves/Saturation.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Monge_form.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Interpolation_weights.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Local_quadric.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Model/find_flat_nodes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/node_normals.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
 
@@ -43,53 +43,6 @@ struct Model_options
   bool is_parallel = false;                           // with threads of TBB, where it is linked
 };
 
-// The local surface z = a0 + a1 x + a2 y + a3 x^2 + a4 xy + a5 y^2 in units of `size`, in a frame
-// that moves with the query: what a fit knows around its origin.
-struct Local_quadric
-{
-  Vector origin, x_axis, y_axis, z_axis;
-  double size = 1.;
-  std::array<double, 6> a = {{0., 0., 0., 0., 0., 0.}};
-
-  Vector point() const { return origin + size * a[0] * z_axis; }
-  Vector normal() const { return (z_axis - a[1] * x_axis - a[2] * y_axis).normalized(); }
-
-  // the same quadric, expanded at the foot of p in the plane of the frame
-  Local_quadric expanded_at(const Vector& p) const
-  {
-    Local_quadric result = *this;
-    const double x = (p - origin).dot(x_axis) / size, y = (p - origin).dot(y_axis) / size;
-    result.origin = origin + size * (x * x_axis + y * y_axis);
-    result.a[0] = a[0] + x * (a[1] + a[3] * x + a[4] * y) + y * (a[2] + a[5] * y);
-    result.a[1] = a[1] + 2. * a[3] * x + a[4] * y;
-    result.a[2] = a[2] + a[4] * x + 2. * a[5] * y;
-    return result;
-  }
-
-  // The same quadric with its height over a facet bounded: the facet goes through p, the foot of which is the origin.
-  Local_quadric saturated(const Vector& p, const Vector& facet_normal, const Saturation& saturation) const
-  {
-    const double height = (p - origin).dot(z_axis) / size, nz = facet_normal.dot(z_axis);
-    // of a facet that the frame does not see from above the slope says nothing
-    constexpr double least_cosine = 0.2;
-    const bool is_seen = nz > least_cosine * facet_normal.norm();
-    const double p_x = is_seen ? -facet_normal.dot(x_axis) / nz : 0.;
-    const double p_y = is_seen ? -facet_normal.dot(y_axis) / nz : 0.;
-    const Saturation::Value bounded = saturation(size * (a[0] - height));
-    const double over_x = a[1] - p_x, over_y = a[2] - p_y, c = size * bounded.curvature / 2.;
-    Local_quadric result = *this;
-    result.a = {{height + bounded.height / size, p_x + bounded.slope * over_x, p_y + bounded.slope * over_y,
-                 bounded.slope * a[3] + c * over_x * over_x, bounded.slope * a[4] + 2. * c * over_x * over_y,
-                 bounded.slope * a[5] + c * over_y * over_y}};
-    return result;
-  }
-
-  Monge_form monge_form() const
-  {
-    return {x_axis, y_axis, z_axis, a[1], a[2], 2. * a[3] / size, a[4] / size, 2. * a[5] / size};
-  }
-};
-
 // The frozen copy of the input with its nodes: the Hermite diffuse interpolation, evaluated anew at
 // every query in a frame that is blended from the corners' normals. The evaluated surface is
 // continuous across edges to rounding and interpolates the nodes and their normals. Its heights over the facets may
@@ -100,6 +53,7 @@ class Reference_surface
   Cut_mesh m_cut_mesh;
   std::vector<Node> m_nodes;
   Interpolation_weights m_weights;
+  std::vector<char> m_is_flat;                        // of the nodes
   Model_options m_options;
   std::vector<Local_quadric> m_quadrics;              // of the faces, if they are solved at centroids
 
@@ -120,12 +74,13 @@ public:
                     const Known_normals& known_normals = Known_normals(),
                     const Progress& progress = Progress())
     : m_triangles(std::move(triangles)), m_cut_mesh(std::move(cut_mesh)),
-      m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)),
-      m_weights(m_cut_mesh, m_nodes, m_triangles.number_of_faces(),
-                estimate_node_normals(m_triangles, m_cut_mesh, options.normals, known_normals, options.is_parallel,
-                                      progress, m_nodes), options.is_parallel, progress.part(0., 0.))
-    , m_options(options)
+      m_nodes(make_nodes(m_triangles, m_cut_mesh, vertex_classes)), m_options(options)
   {
+    Neighbors_on_lines on_lines = estimate_node_normals(m_triangles, m_cut_mesh, options.normals, known_normals,
+                                                        options.is_parallel, progress, m_nodes);
+    m_is_flat = find_flat_nodes(m_cut_mesh, m_nodes);
+    m_weights = Interpolation_weights(m_cut_mesh, m_nodes, m_is_flat, m_triangles.number_of_faces(), std::move(on_lines),
+                                      options.is_parallel, progress.part(0., 0.));
     if(!options.is_solved_at_centroids)
       return;
     m_options.combined_weight = 0.;     // the paper has none
@@ -204,6 +159,26 @@ private:
     return sum;
   }
 
+  // Is what would be fitted at a location on a plane, and so the plane? On an edge this depends on its ends only, so that
+  // both faces say the same.
+  bool is_flat(const Location& location) const
+  {
+    for(int k = 0; k < 3; ++k)
+      if(location.coordinates[k] > 0. && !m_is_flat[m_cut_mesh.node(location.face, k)])
+        return false;
+    return true;
+  }
+
+  // of the corners that count, by number: on an edge the same for both faces
+  int first_node(const Location& location) const
+  {
+    int result = m_cut_mesh.number_of_nodes();
+    for(int k = 0; k < 3; ++k)
+      if(location.coordinates[k] > 0.)
+        result = (std::min)(result, m_cut_mesh.node(location.face, k));
+    return result;
+  }
+
   // what the corners that have a normal add to its sum: less than one near an apex
   double weight_of_normals(const Location& location) const
   {
@@ -267,6 +242,13 @@ private:
     if(!(weight > 0.))
       return result;                    // at an apex: the vertex itself
     result.size = size / weight;
+    if(is_flat(location))
+    {
+      // what rounding of the coordinates moved off the plane returns to it
+      const Vector& on_plane = m_nodes[first_node(location)].position;
+      result.a[0] = (on_plane - result.origin).dot(result.z_axis) / result.size;
+      return result;
+    }
 
     double pivot = fit(location, blended, result);
     if(pivot < doubtful_pivot)
