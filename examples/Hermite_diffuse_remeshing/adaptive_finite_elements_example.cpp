@@ -230,7 +230,8 @@ int main()
   }
 
   Mesh mesh = remeshed(sphere, HDR::Constant_size_field(0.1));
-  for(int step = 0; step < 5; ++step)
+  constexpr int number_of_steps = 5;
+  for(int step = 0; step < number_of_steps; ++step)
   {
     const Eigen::VectorXd u = solve(mesh);
     const auto errors = estimate_errors(mesh, u);
@@ -240,6 +241,8 @@ int main()
     if(step > 0)
       std::cout << "\t" << slope_between(adapted[step - 1], adapted.back());
     std::cout << std::endl;
+    if(step + 1 == number_of_steps)
+      break;
 
     const auto sizes = mesh.add_property_map<vertex_descriptor, double>("v:size").first;
     const double number_of_elements = 2000. * std::pow(2., step);

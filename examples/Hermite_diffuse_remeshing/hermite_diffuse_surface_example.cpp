@@ -26,7 +26,7 @@ int main()
 
   const Surface surface(mesh);
 
-  // in the middle of a face: 0.006 below the sphere, but the surface is not
+  // in the middle of a face: 0.016 below the sphere, but the surface is not
   const Surface::Face_location middle(*mesh.faces().begin(), {{1. / 3., 1. / 3., 1. / 3.}});
   const K::Point_3 p = surface.point(middle);
   const K::Vector_3 n = surface.normal(middle);

@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -68,14 +69,16 @@ int main(int argc, char* argv[])
   mesh.collect_garbage();
 
   Graph graph;
-  for(const Mesh::Vertex_index v : mesh.vertices())
-    graph[add_vertex(graph)] = mesh.point(v);
+  std::map<Mesh::Vertex_index, Graph::vertex_descriptor> vertex_of_graph;
+  const auto find_or_add = [&](const Mesh::Vertex_index v)
+  {
+    const auto found = vertex_of_graph.find(v);
+    return found != vertex_of_graph.end() ? found->second
+                                          : vertex_of_graph[v] = add_vertex(mesh.point(v), graph);
+  };
   for(const Mesh::Edge_index e : mesh.edges())
     if(HDR::is_feature(edge_classes[e]))
-      add_edge(mesh.vertex(e, 0), mesh.vertex(e, 1), graph);
-  for(Graph::vertex_descriptor v = num_vertices(graph); v-- > 0; )
-    if(out_degree(v, graph) == 0)
-      remove_vertex(v, graph);
+      add_edge(find_or_add(mesh.vertex(e, 0)), find_or_add(mesh.vertex(e, 1)), graph);
   Polylines polylines;
   Polyline_visitor visitor{graph, polylines};
   CGAL::split_graph_into_polylines(graph, visitor);

@@ -19,9 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 
@@ -37,7 +35,7 @@ namespace CGAL {
  * The object is immutable, and refers to nothing: the mesh may change afterwards, for instance while
  * another remesher reads its sizes here. Queries from several threads are safe.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` that has dynamic properties
  * \tparam GeomTraits_ a model of `HermiteDiffuseRemeshingTraits`; by default the kernel of the points
  *         of the mesh
  * \tparam ConcurrencyTag enables the construction in parallel. Possible values are `Sequential_tag`,

@@ -19,7 +19,6 @@
 
 #include <array>
 #include <memory>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,7 +45,7 @@ namespace CGAL {
  * Queries from several threads are safe. An evaluation takes time proportional to the number of vertices around the
  * corners of its face, a projection without a hint time logarithmic in the number of faces.
  *
- * \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` that has dynamic properties
  * \tparam GeomTraits_ a model of `HermiteDiffuseRemeshingTraits`; by default the kernel of the points
  *         of the mesh
  * \tparam ConcurrencyTag enables the construction in parallel. Possible values are `Sequential_tag`,

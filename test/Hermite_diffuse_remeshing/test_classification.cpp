@@ -17,7 +17,7 @@ struct Classification
     , edge_classes(classify_edges(t, edges, radians(sharp), [](int, int) { return HDR::internal::UNMARKED_EDGE; }))
     , cut_mesh(t, edges, edge_classes)
     , vertex_classes(classify_vertices(t, edges, edge_classes, cut_mesh, radians(corner), radians(apex),
-                                       [](int) { return false; }))
+                                       [](int, int) { return HDR::internal::UNMARKED_EDGE; }, [](int) { return false; }))
   {}
 
   static double radians(const double degrees) { return degrees * analytic::pi / 180.; }

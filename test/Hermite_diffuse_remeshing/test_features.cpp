@@ -217,6 +217,41 @@ void test_policies()
   }
 }
 
+// Marks on a part of a line stay on that part, whatever the rest of the line is, and vanish where the policy makes it free.
+void test_marks_on_a_part()
+{
+  std::cout << "marks on a part" << std::endl;
+  struct Line { double y; HDR::Edge_policy policy; bool has_marks_after; };
+  for(const Line line : {Line{0., HDR::DETECTED_EDGE, true}, Line{0.5, HDR::DETECTED_EDGE, true},
+                         Line{0.5, HDR::RESAMPLED_EDGE, true}, Line{0.5, HDR::FREE_EDGE, false}})
+    for(const double length : {0.3, 0.15, 0.03})
+    {
+      Surface_mesh mesh = square(20);
+      auto policies = mesh.add_property_map<Edge_index, HDR::Edge_policy>("e:policy", HDR::DETECTED_EDGE).first;
+      auto marks = mesh.add_property_map<Edge_index, bool>("e:mark", false).first;
+      const auto is_on_line = [&](const Edge_index e)
+      { return mesh.point(mesh.vertex(e, 0)).y() == line.y && mesh.point(mesh.vertex(e, 1)).y() == line.y; };
+      const auto is_on_part = [](const Point_3& p) { return p.x() > 0.3999 && p.x() < 0.5001; };
+      for(const auto e : edges(mesh))
+        if(is_on_line(e))
+        {
+          policies[e] = line.policy;
+          marks[e] = is_on_part(mesh.point(mesh.vertex(e, 0))) && is_on_part(mesh.point(mesh.vertex(e, 1)));
+        }
+      PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.).maximum_edge_length(length)
+        .edge_policy_map(policies).edge_is_constrained_map(marks));
+      double length_of_marks = 0.;
+      for(const auto e : edges(mesh))
+        if(marks[e])
+        {
+          assert(std::abs(mesh.point(mesh.vertex(e, 0)).y() - line.y) < 1e-9);
+          assert(is_on_part(mesh.point(mesh.vertex(e, 0))) && is_on_part(mesh.point(mesh.vertex(e, 1))));
+          length_of_marks += PMP::edge_length(e, mesh);
+        }
+      assert(std::abs(length_of_marks - (line.has_marks_after ? 0.1 : 0.)) < 1e-9);
+    }
+}
+
 // without a sharp edge a free edge is as good as any: the crease of a roof disappears
 void test_free_edges()
 {
@@ -558,6 +593,7 @@ int main()
   test_detection();
   test_user_features();
   test_policies();
+  test_marks_on_a_part();
   test_free_edges();
   test_sharp_corners();
   test_uneven_points();

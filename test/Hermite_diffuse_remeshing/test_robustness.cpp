@@ -351,28 +351,43 @@ void test_face_cap()
 }
 
 // A stop before anything was changed: the maps tell where the vertices and faces are, and no bound counts as met.
-void test_early_stop()
+HDR::Remeshing_report<Surface_mesh> check_early_stop(Surface_mesh mesh)
 {
-  std::cout << "early stop" << std::endl;
-  Surface_mesh mesh = make_tent<Surface_mesh>();
   typedef std::pair<std::size_t, std::array<double, 3> > Location;
-  const auto locations = mesh.add_property_map<Surface_mesh::Vertex_index, Location>("v:location").first;
-  const auto origins = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:origin").first;
+  const std::size_t unknown = num_faces(mesh);
+  const auto locations = mesh.add_property_map<Surface_mesh::Vertex_index, Location>("v:location", {unknown, {}}).first;
+  const auto origins = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:origin", unknown).first;
   // a variable of faces is not taken for the mesh
   std::vector<Surface_mesh::Face_index> all_faces(faces(mesh).begin(), faces(mesh).end());
   const auto report = PMP::hermite_diffuse_remesh(all_faces, mesh, params::maximum_deviation(1.)
     .vertex_location_map(locations).face_origin_map(origins).maximum_running_time(1e-9));
   assert(report.stop_reason == HDR::TIME_BUDGET && !report.is_maximum_deviation_met);
+  assert(num_faces(mesh) == unknown);
   for(const auto f : faces(mesh))
     assert(origins[f] == std::size_t(f));
   for(const auto v : vertices(mesh))
   {
+    assert(locations[v].first < unknown);
     const auto h = mesh.halfedge(all_faces[locations[v].first]);
     const Surface_mesh::Vertex_index corners[3] = {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
     for(int k = 0; k < 3; ++k)
       assert(locations[v].second[k] == (corners[k] == v ? 1. : 0.));
   }
   assert(PMP::hermite_diffuse_remesh(all_faces, mesh).is_maximum_deviation_met);
+  return report;
+}
+
+void test_early_stop()
+{
+  std::cout << "early stop" << std::endl;
+  assert(check_early_stop(make_tent<Surface_mesh>()).number_of_unrepaired_faces == 0);
+  // a face without height, which a flip would mend, and one with two vertices at one place
+  const Surface_mesh cap = make_mesh<Surface_mesh>({{{{0., 0., 0.}}, {{2., 0., 0.}}, {{1., 0., 0.}}, {{1., 2., 0.}}},
+                                                    {{{0, 1, 2}}, {{1, 0, 3}}}});
+  const Surface_mesh twins = make_mesh<Surface_mesh>({{{{0., 0., 0.}}, {{1., 0., 0.}}, {{1., 1., 0.}}, {{1., 1., 0.}},
+                                                       {{0., 1., 0.}}}, {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 4}}}});
+  for(const Surface_mesh& input : {cap, twins})
+    assert(check_early_stop(input).number_of_unrepaired_faces == 1);
 }
 
 // Where the faces that there may be do not do for the bound, they are shared out: edges keep to their sizes, and triangles

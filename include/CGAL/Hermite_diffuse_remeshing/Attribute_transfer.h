@@ -78,7 +78,7 @@ void mark_seams(const TriangleMesh& tmesh, const CornerMap& values, EdgeIsConstr
  * location from the remeshing: where there are some, a map that holds the largest `std::size_t` before the call leaves
  * them alone.
  *
- * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` that has dynamic properties
  * @tparam VertexLocationMap a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type
  *         `std::pair<std::size_t, std::array<double, 3> >`
  * @tparam FaceOriginMap a model of `ReadablePropertyMap` with key type `face_descriptor` and value type `std::size_t`

@@ -11,7 +11,7 @@
 
 #include <CGAL/license/Hermite_diffuse_remeshing.h>
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Basic_shape.h>
+#include <CGAL/Hermite_diffuse_remeshing/Model_choices.h>
 
 #include <cstddef>
 

@@ -42,7 +42,8 @@ enum Vertex_class
 {
   SURFACE_VERTEX,      ///< no feature edge
   CURVE_VERTEX,        ///< two feature edges that go on smoothly
-  JUNCTION_VERTEX,     ///< other than two feature edges, or two of different classes or numbers of faces
+  JUNCTION_VERTEX,     ///< other than two feature edges, or two of different classes or numbers of faces, or of which
+                       ///< one only is in `edge_is_constrained_map`
   KINK_VERTEX,         ///< two feature edges that turn by more than `corner_angle`
   APEX_VERTEX,         ///< no feature edge, but the angles of the faces of a sheet miss 360 degrees by more than
                        ///< `apex_angular_defect`

@@ -182,7 +182,7 @@ struct Remeshing_report
   std::size_t number_of_degenerate_input_faces = 0;
   /// faces that are turned by more than 120 degrees against all faces beside them
   std::size_t number_of_folded_input_faces = 0;
-  /// those of both that could not be repaired before the surface was fitted
+  /// those of both that could not be repaired before the surface was fitted; all, after a stop that came before
   std::size_t number_of_unrepaired_faces = 0;
   double largest_unfolding = 0.;           ///< how far the repair of folded faces has moved the surface at most
   std::size_t number_of_isolated_vertices = 0;   ///< vertices without faces; they stay

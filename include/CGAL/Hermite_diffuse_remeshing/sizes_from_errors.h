@@ -118,7 +118,7 @@ void write_sizes(const TriangleMesh& tmesh, const FaceErrorMap& error_map, const
  *
  * Takes time proportional to the number of faces.
  *
- * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` that has dynamic properties
  * @tparam FaceErrorMap a model of `ReadablePropertyMap` with key type `face_descriptor` and a value type
  *         convertible to `double`
  * @tparam VertexSizeMap a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type
@@ -171,7 +171,7 @@ void sizes_for_number_of_elements(const TriangleMesh& tmesh, const FaceErrorMap&
  *
  * Takes time proportional to the number of faces.
  *
- * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` that has dynamic properties
  * @tparam FaceErrorMap a model of `ReadablePropertyMap` with key type `face_descriptor` and a value type
  *         convertible to `double`
  * @tparam VertexSizeMap a model of `WritablePropertyMap` with key type `vertex_descriptor` and value type

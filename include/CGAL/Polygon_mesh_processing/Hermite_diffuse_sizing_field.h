@@ -32,7 +32,7 @@ namespace Polygon_mesh_processing {
  *
  * The sizes are those of the mesh at the time of the construction; the mesh may change afterwards. An
  * edge is too long if it is longer than 4/3 of the mean of the sizes at its ends, and too short if it is
- * shorter than 4/5 of it, as for \cgal's own fields. Every question takes time logarithmic in the number
+ * shorter than 4/5 of it: the factors are those of \cgal's own fields, which take the smaller of the two sizes. Every question takes time logarithmic in the number
  * of faces that the mesh had. Copies share the sizes.
  *
  * \cgalModels{PMPSizingField}

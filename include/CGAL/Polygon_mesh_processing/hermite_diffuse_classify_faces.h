@@ -44,7 +44,7 @@ namespace Polygon_mesh_processing {
  * @tparam ConcurrencyTag enables sequential versus parallel algorithm, for the surface that is fitted. Possible values
  *         are `Sequential_tag` (the default), `Parallel_tag` and `Parallel_if_available_tag`. The result is the same
  *         for any number of threads.
- * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` that has dynamic properties
  * @tparam FaceLabelMap a model of `WritablePropertyMap` with key type
  *         `boost::graph_traits<TriangleMesh>::%face_descriptor` and value type `std::size_t`
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"

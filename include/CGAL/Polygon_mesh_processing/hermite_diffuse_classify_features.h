@@ -37,7 +37,7 @@ namespace Polygon_mesh_processing {
  *
  * Takes time proportional to the number of faces, but for a logarithmic factor.
  *
- * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` that has dynamic properties
  * @tparam EdgeClassMap a model of `WritablePropertyMap` with key type
  *         `boost::graph_traits<TriangleMesh>::%edge_descriptor` and value type
  *         `CGAL::Hermite_diffuse_remeshing::Edge_class`
@@ -128,13 +128,12 @@ void hermite_diffuse_classify_features(const TriangleMesh& tmesh, const EdgeClas
     Static_boolean_property_map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, false>());
 
   const Edge_table edge_table(triangles);
-  const std::vector<Edge_class> edge_classes =
-    classify_edges(triangles, edge_table, options.sharp_angle,
-                   [&](const int f, const int side) { return input.side_marks[f][side]; });
+  const auto edge_mark = [&](const int f, const int side) { return input.side_marks[f][side]; };
+  const std::vector<Edge_class> edge_classes = classify_edges(triangles, edge_table, options.sharp_angle, edge_mark);
   const Cut_mesh cut_mesh(triangles, edge_table, edge_classes);
   const std::vector<Vertex_class> vertex_classes =
     classify_vertices(triangles, edge_table, edge_classes, cut_mesh, options.corner_angle, options.apex_defect,
-                      [&](const int v) -> bool { return get(vertex_is_constrained, input.vertex_descriptors[v]); });
+                      edge_mark, [&](const int v) -> bool { return get(vertex_is_constrained, input.vertex_descriptors[v]); });
 
   for(int f = 0; f < triangles.number_of_faces(); ++f)
   {

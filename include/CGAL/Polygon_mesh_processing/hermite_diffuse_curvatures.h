@@ -85,7 +85,7 @@ namespace Polygon_mesh_processing {
  * @tparam ConcurrencyTag enables sequential versus parallel algorithm. Possible values are `Sequential_tag`
  *         (the default), `Parallel_tag` and `Parallel_if_available_tag`. The values are the same, to the last
  *         bit, for any number of threads.
- * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` that has dynamic properties
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * @param tmesh the mesh
@@ -117,15 +117,17 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`FITTED_NORMALS`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_normal_map}
- *     \cgalParamDescription{normals that are known, zero where they are not}
+ *     \cgalParamDescription{normals that are known, zero where they are not; used as by
+ *       `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`}
  *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type `GT::Vector_3`}
  *     \cgalParamDefault{none}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{sharp_dihedral_angle, corner_angle, apex_angular_defect, edge_is_constrained_map,
  *     edge_policy_map, vertex_is_constrained_map, face_patch_map, hermite_weight, surface_model}
  *     \cgalParamDescription{as for `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()`, but maps are only read,
- *       and `PAPER_MODEL` changes no more than the defaults of `normal_estimation` and `hermite_weight`;
- *       `polynomial_degree` and `maximum_displacement` are checked and have no effect}
+ *       and `PAPER_MODEL` changes the defaults of `normal_estimation` and `hermite_weight`;
+ *       `maximum_displacement` is checked and has no effect, and the degree and the form of the model count only where
+ *       too few neighbors leave the curvature to the surface}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_point_map}
  *     \cgalParamDescription{the points of the vertices}
@@ -199,7 +201,7 @@ void hermite_diffuse_curvatures(const TriangleMesh& tmesh,
  *
  * Takes time proportional to the number of faces within ten edges of the vertex.
  *
- * @tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
+ * @tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph` that has dynamic properties
  * @tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
  *
  * @param v the vertex

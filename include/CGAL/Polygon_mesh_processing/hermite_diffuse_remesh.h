@@ -37,8 +37,8 @@ namespace Polygon_mesh_processing {
  * does, new ones may take their places.
  *
  * Time is proportional to the number of faces of the input and of the result, but for a factor
- * logarithmic in the former; a vertex with very many faces, such as the center of a fan, takes the square of their
- * number. The result depends on the input and the parameters only, and scaling, rotating or translating the input does
+ * logarithmic in the former; a vertex with very many faces, such as the center of a fan, takes at least the square of
+ * their number. The result depends on the input and the parameters only, and scaling, rotating or translating the input does
  * the same to it.
  *
  * A chain of parameters that begins with one of this package's own (`approximation_error` and the others that \cgal
@@ -143,8 +143,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`1.3`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{sharp_dihedral_angle}
- *     \cgalParamDescription{an edge is sharp if the normals of its two faces differ by more than this, by 1e-5
- *       radians at least, which roundings may make}
+ *     \cgalParamDescription{an edge is sharp if the normals of its two faces differ by more than this, and 1e-5
+ *       radians for what roundings may make}
  *     \cgalParamType{`double`, degrees in [0, 180]; 180 turns the detection off}
  *     \cgalParamDefault{`40`}
  *   \cgalParamNEnd
@@ -160,7 +160,8 @@ namespace Polygon_mesh_processing {
  *     \cgalParamDefault{`30`}
  *   \cgalParamNEnd
  *   \cgalParamNBegin{edge_is_constrained_map}
- *     \cgalParamDescription{edges that are features whatever their angle; kept up to date}
+ *     \cgalParamDescription{edges that are features whatever their angle; kept up to date. Where the marks of a border begin
+ *       and end there are corners. Marks on edges that `edge_policy_map` makes free are removed.}
  *     \cgalParamType{a model of `ReadWritePropertyMap` with key type `edge_descriptor` and value type `bool`}
  *     \cgalParamDefault{no edge}
  *   \cgalParamNEnd
@@ -216,8 +217,9 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{vertex_normal_map}
  *     \cgalParamDescription{normals that the user knows; they replace the estimated ones. A zero vector means
- *       unknown. At a vertex on a feature, a normal is used for the sides of the feature the faces of which it is
- *       nearly normal to. Length and orientation do not matter.}
+ *       unknown, and so does one that is more than 60 degrees away from that of the faces around the vertex. At a vertex
+ *       on a feature, a normal is used for the sides of the feature from the faces of which it is at most 30 degrees
+ *       away. An apex has none. Length and orientation do not matter.}
  *     \cgalParamType{a model of `ReadablePropertyMap` with key type `vertex_descriptor` and value type
  *       `GeomTraits::Vector_3`}
  *     \cgalParamDefault{none}
@@ -231,8 +233,7 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_faces}
  *     \cgalParamDescription{budget of remeshed faces. The sizes, their bounds included, are scaled up until
- *       nine tenths of it are predicted, and no edge is split beyond it, or beyond the number of faces of
- *       the input if that is larger. 0 means the default.}
+ *       nine tenths of it are predicted, and no edge is split beyond it. 0 means the default.}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1000000, or ten times the faces of the input if that is more: a cap, so that an absurdly
  *       small size does not eat the memory}
@@ -305,7 +306,8 @@ namespace Polygon_mesh_processing {
  *
  * \throw std::invalid_argument if the mesh cannot be remeshed, see \ref HDR_input, or if a parameter is out of
  *        its range. The message names the element or the parameter, and the mesh is unchanged.
- * \throw std::bad_alloc if there is too little memory. Before the adaptation begins the mesh is unchanged then.
+ * \throw std::bad_alloc if there is too little memory. The mesh is valid then, and before the adaptation begins
+ *        unchanged, but for repaired faces.
  *
  * @sa `CGAL::Hermite_diffuse_surface`
  * @sa `CGAL::Hermite_diffuse_remeshing::Attribute_transfer`
@@ -342,6 +344,7 @@ hermite_diffuse_remesh(const FaceRange& faces, TriangleMesh& tmesh,
  * @return what was done, and which promises were kept
  *
  * \throw std::invalid_argument as for a range of faces
+ * \throw std::bad_alloc as for a range of faces
  */
 template <typename ConcurrencyTag = Sequential_tag, typename TriangleMesh,
           typename NamedParameters = parameters::Default_named_parameters

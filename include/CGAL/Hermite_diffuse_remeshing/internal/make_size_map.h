@@ -32,7 +32,9 @@ std::size_t read_face_budget(const Pack& pack, const std::size_t number_of_input
   const auto number =
     parameters::choose_parameter(parameters::get_parameter(pack, internal_np::maximum_number_of_faces), std::size_t(0));
   check_parameter("maximum_number_of_faces", double(number), 0., (std::numeric_limits<double>::max)());
-  const std::size_t budget = static_cast<std::size_t>(number);
+  // the user's number may be of any type
+  constexpr std::size_t largest = (std::numeric_limits<std::size_t>::max)();
+  const std::size_t budget = double(number) < double(largest) ? static_cast<std::size_t>(number) : largest;
   return budget > 0 ? budget : (std::max)(default_number, default_multiple * number_of_input_faces);
 }
 

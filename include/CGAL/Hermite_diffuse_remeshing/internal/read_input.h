@@ -50,19 +50,19 @@ auto read_edge_policy_map(const Pack& pack)
                                       Constant_property_map<Edge, Edge_policy>(DETECTED_EDGE));
 }
 
-// A policy goes before the rest.
+// A policy goes before the rest, but what the map of constraints says of a feature is kept with it.
 inline Edge_mark make_edge_mark(const Edge_policy policy, const bool is_constrained, const bool are_constraints_protected,
                                 const bool is_between_patches)
 {
   switch(policy)
   {
     case FREE_EDGE:      return MARKED_FREE;
-    case RESAMPLED_EDGE: return MARKED_FEATURE;
+    case RESAMPLED_EDGE: return is_constrained ? MARKED_CONSTRAINED : MARKED_FEATURE;
     case PROTECTED_EDGE: return MARKED_PROTECTED;
     case DETECTED_EDGE:  break;
   }
   if(is_constrained)
-    return are_constraints_protected ? MARKED_PROTECTED : MARKED_FEATURE;
+    return are_constraints_protected ? MARKED_PROTECTED : MARKED_CONSTRAINED;
   return is_between_patches ? MARKED_PATCH_BORDER : UNMARKED_EDGE;
 }
 

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <type_traits>
+#include <string>
 #include <vector>
 
 namespace CGAL {

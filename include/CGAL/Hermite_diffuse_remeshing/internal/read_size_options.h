@@ -80,7 +80,7 @@ void read_size_law(const Pack& pack, Size_options& options)
   }
 }
 
-// After the repairs: `face_descriptors[i]` is face i of the reference.
+// After the repairs: `face_descriptors[i]` is face i of the reference; they are asked as long as the options are used.
 template <typename FaceDescriptor, typename GeomTraits, typename Pack>
 void read_size_field(const Pack& pack, const GeomTraits& traits, const std::vector<FaceDescriptor>& face_descriptors,
                      Size_options& options)
@@ -93,9 +93,9 @@ void read_size_field(const Pack& pack, const GeomTraits& traits, const std::vect
                                                 FaceDescriptor, const std::array<FT, 3>&>::value;
     const typename GeomTraits::Construct_point_3 construct_point = traits.construct_point_3_object();
     options.is_user_size_local = is_local;
-    options.user_size = [field, construct_point, face_descriptors](const Vector& p, const Location& location)
+    options.user_size = [field, construct_point, &face_descriptors](const Vector& p, const Location& location)
     {
-      const auto point = construct_point(p[0], p[1], p[2]);
+      const auto point = construct_point(FT(p[0]), FT(p[1]), FT(p[2]));
       double size;
       if constexpr(is_local)
       {

@@ -20,9 +20,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/run_stages.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/write_output_maps.h>
 
-#include <algorithm>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -120,7 +118,10 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
     { write_output_maps(mesh, deviations, input.face_descriptors, input.face_ranks, pack); },
     report);
   if(!is_begun)
-    write_output_maps_of_input(input, pack);
+  {
+    write_output_maps_of_input(tmesh, pack);
+    undo_plan_of_repairs(report);
+  }
   return report;
 }
 

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -101,6 +100,14 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
   input.face_ranks.resize(repaired.faces.size());
   is_remeshed.resize(repaired.faces.size());
   return repaired.repairs;
+}
+
+// after a stop before the repairs were carried out
+template <typename TriangleMesh>
+void undo_plan_of_repairs(Remeshing_report<TriangleMesh>& report)
+{
+  report.number_of_unrepaired_faces = report.number_of_degenerate_input_faces + report.number_of_folded_input_faces;
+  report.largest_unfolding = 0.;
 }
 
 // Removes the source of a halfedge; its target stays at its point p, and merged edges are constrained if one

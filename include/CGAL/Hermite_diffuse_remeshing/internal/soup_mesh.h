@@ -16,13 +16,11 @@
 
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -17,12 +17,11 @@
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <cmath>
+#include <array>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

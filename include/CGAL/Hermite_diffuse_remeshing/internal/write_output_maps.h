@@ -73,21 +73,26 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
     put(deviation_map, entry.face, entry.deviation);
 }
 
-// Of a mesh that a stop came too early to change: every vertex and every face is where it was. There is no more to tell.
-template <typename InputMesh, typename Pack>
-void write_output_maps_of_input(const InputMesh& input, const Pack& pack)
+// Of a mesh that a stop came too early to change, or to repair: every vertex and every face is where it was. There is no
+// more to tell.
+template <typename TriangleMesh, typename Pack>
+void write_output_maps_of_input(const TriangleMesh& tmesh, const Pack& pack)
 {
   using parameters::get_parameter;
-  for(std::size_t f = 0; f < input.face_descriptors.size(); ++f)
+  CGAL_USE(pack);
+  std::size_t rank = 0;
+  for(const auto f : faces(tmesh))
   {
     if constexpr(is_given<Pack, internal_np::face_origin_map_t>())
-      put(get_parameter(pack, internal_np::face_origin_map), input.face_descriptors[f], input.face_ranks[f]);
+      put(get_parameter(pack, internal_np::face_origin_map), f, rank);
     if constexpr(is_given<Pack, internal_np::vertex_location_map_t>())
-      for(int k = 0; k < 3; ++k)
-        put(get_parameter(pack, internal_np::vertex_location_map),
-            input.vertex_descriptors[input.triangles.triangles[f][k]],
-            std::make_pair(input.face_ranks[f],
-                           location_of_corner(static_cast<int>(3 * f) + k).coordinates));
+    {
+      auto h = halfedge(f, tmesh);
+      for(int k = 0; k < 3; ++k, h = next(h, tmesh))
+        put(get_parameter(pack, internal_np::vertex_location_map), source(h, tmesh),
+            std::make_pair(rank, location_of_corner(k).coordinates));
+    }
+    ++rank;
   }
 }
 

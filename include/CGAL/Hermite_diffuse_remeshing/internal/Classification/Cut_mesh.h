@@ -14,7 +14,6 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -146,15 +145,18 @@ private:
     m_first_ring.reserve(number_of_nodes() + 1);
     // as many as corners where the fans close, one more per node where they do not
     m_ring.reserve(m_corners.size() + number_of_nodes());
+    std::vector<int> last_ring(number_of_nodes(), -1);      // that a node was entered in
     for(int i = 0; i < number_of_nodes(); ++i)
     {
-      const std::size_t first = m_ring.size();
+      last_ring[i] = i;
       for(const int c : corners(i))
         for(const int k : {next(c % 3), previous(c % 3)})
         {
           const int other = m_nodes_of_face[c / 3][k];
-          if(other != i && std::find(m_ring.begin() + first, m_ring.end(), other) == m_ring.end())
-            m_ring.push_back(other);
+          if(last_ring[other] == i)
+            continue;
+          last_ring[other] = i;
+          m_ring.push_back(other);
         }
       m_first_ring.push_back(static_cast<int>(m_ring.size()));
     }

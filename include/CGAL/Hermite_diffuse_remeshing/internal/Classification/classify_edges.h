@@ -24,14 +24,25 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // What the user says of an edge of the input, the weakest word first.
-enum Edge_mark
+enum Edge_mark : unsigned char
 {
   UNMARKED_EDGE,         // nothing
   MARKED_FREE,           // no feature
   MARKED_PATCH_BORDER,   // a feature, because its faces have different labels
   MARKED_FEATURE,
+  MARKED_CONSTRAINED,    // a feature, because it is in the user's map, which is to stay where it is
   MARKED_PROTECTED       // a feature that cannot be changed
 };
+
+// The stronger word of the two sides of an edge counts.
+template <typename EdgeMark>
+Edge_mark strongest_mark(const Edge_table& edges, const int e, const EdgeMark& edge_mark)
+{
+  Edge_mark result = UNMARKED_EDGE;
+  for(int i = 0; i < edges.number_of_sides(e); ++i)
+    result = (std::max)(result, edge_mark(edges.side(e, i).face, edges.side(e, i).side));
+  return result;
+}
 
 // of the three sides of every face
 typedef std::vector<std::array<Edge_mark, 3> > Side_marks;
@@ -92,7 +103,7 @@ inline void discard_isolated_sharp_edges(const Indexed_triangles& surface, const
   }
 }
 
-// `edge_mark(face, side)` is what the user says of an edge; the stronger word of its two sides counts.
+// `edge_mark(face, side)` is what the user says of an edge.
 // `angle_bound` is in radians; an edge is sharp if the normals of its faces differ by more.
 template <typename EdgeMark>
 std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
@@ -121,7 +132,7 @@ std::vector<Edge_class> classify_edges(const Indexed_triangles& surface,
       classes[e] = NON_MANIFOLD_EDGE;
       continue;
     }
-    const Edge_mark mark = (std::max)(edge_mark(s.face, s.side), edge_mark(t.face, t.side));
+    const Edge_mark mark = strongest_mark(edges, e, edge_mark);
     if(mark >= MARKED_FEATURE)
       classes[e] = CONSTRAINED_EDGE;
     else if(mark == MARKED_PATCH_BORDER)

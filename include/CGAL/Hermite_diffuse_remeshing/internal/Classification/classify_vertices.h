@@ -22,16 +22,18 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // Angles are in radians. A vertex is a corner if the user says so, if the number of its feature
-// edges is neither zero nor two, if its two feature edges have different classes or numbers of faces or turn by
-// more than `corner_angle`, if several sheets touch there, or if its angular defect, the absolute value
-// of 2 pi minus the sum of the angles of its faces, exceeds `apex_defect` (paper, section 2.2).
-template <typename IsConstrained>
+// edges is neither zero nor two, if its two feature edges have different classes or numbers of faces, if one of them only is
+// in the user's map of constraints, if they turn by more than `corner_angle`, if several sheets touch there, or if its
+// angular defect, the absolute value of 2 pi minus the sum of the angles of its faces, exceeds `apex_defect` (paper,
+// section 2.2).
+template <typename EdgeMark, typename IsConstrained>
 std::vector<Vertex_class> classify_vertices(const Indexed_triangles& surface,
                                             const Edge_table& edges,
                                             const std::vector<Edge_class>& edge_classes,
                                             const Cut_mesh& cut_mesh,
                                             const double corner_angle,
                                             const double apex_defect,
+                                            const EdgeMark& edge_mark,
                                             const IsConstrained& is_constrained)
 {
   const int nv = surface.number_of_vertices();
@@ -66,6 +68,7 @@ std::vector<Vertex_class> classify_vertices(const Indexed_triangles& surface,
                                    std::abs(2. * boost::math::constants::pi<double>() - angle_sum));
   }
 
+  const auto is_marked = [&](const int e) { return strongest_mark(edges, e, edge_mark) == MARKED_CONSTRAINED; };
   std::vector<Vertex_class> classes(nv, SURFACE_VERTEX);
   for(int v = 0; v < nv; ++v)
   {
@@ -76,17 +79,16 @@ std::vector<Vertex_class> classify_vertices(const Indexed_triangles& surface,
       classes[v] = CONSTRAINED_VERTEX;
     else if(star.number == 0)
       classes[v] = number_of_nodes[v] > 1 ? TOUCHING_VERTEX : SURFACE_VERTEX;
-    else if(number_of_closed_nodes[v] > 0 && star.number == 2)
-      classes[v] = TOUCHING_VERTEX;
     else if(star.number != 2 || edge_classes[star.edge[0]] != edge_classes[star.edge[1]]
-            || edges.number_of_sides(star.edge[0]) != edges.number_of_sides(star.edge[1]))
+            || edges.number_of_sides(star.edge[0]) != edges.number_of_sides(star.edge[1])
+            || is_marked(star.edge[0]) != is_marked(star.edge[1]))
       classes[v] = JUNCTION_VERTEX;
     else
     {
       const Vector& p = surface.points[v];
       const double kink = angle_between(p - surface.points[edges.opposite_vertex(star.edge[0], v)],
                                         surface.points[edges.opposite_vertex(star.edge[1], v)] - p);
-      classes[v] = kink > corner_angle ? KINK_VERTEX : CURVE_VERTEX;
+      classes[v] = kink > corner_angle ? KINK_VERTEX : number_of_closed_nodes[v] > 0 ? TOUCHING_VERTEX : CURVE_VERTEX;
     }
   }
   return classes;

@@ -15,6 +15,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -125,7 +126,8 @@ struct Basic_shape
       const Row x = matrix.ldlt().solve(rhs);
       if(!x.allFinite() || !apply(x, u, w))
         return false;
-      if(x.norm() <= relative_step * scale)
+      // how far the surface moves at the points, rms, whatever the units of the unknowns
+      if(x.dot(matrix * x) <= relative_step * relative_step * scale * scale * double(points.size()))
         break;
     }
     return true;

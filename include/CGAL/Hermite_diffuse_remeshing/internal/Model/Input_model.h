@@ -49,7 +49,7 @@ struct Input_surface
                 const Progress& progress = Progress())
     : edges(triangles)
     , edge_classes(classify_edges(triangles, edges, features.sharp_angle, edge_mark))
-    , surface(make_surface(triangles, features, options, is_vertex_constrained, vertex_normals, progress))
+    , surface(make_surface(triangles, features, options, edge_mark, is_vertex_constrained, vertex_normals, progress))
   {}
 
   // gives up what only a remeshing needs, or makes it fast: half of the memory
@@ -67,14 +67,15 @@ private:
   static constexpr double before_cut = 0.1, before_curves = 0.15, before_fit = 0.2;
 
   Reference_surface make_surface(const Indexed_triangles& triangles, const Feature_options& features,
-                                 const Model_options& options, const Read_vertex_constraint& is_vertex_constrained,
+                                 const Model_options& options, const Read_edge_mark& edge_mark,
+                                 const Read_vertex_constraint& is_vertex_constrained,
                                  const std::vector<Vector>& vertex_normals, const Progress& progress)
   {
     progress(before_cut);
     Cut_mesh cut_mesh(triangles, edges, edge_classes);
     progress(before_curves);
     vertex_classes = classify_vertices(triangles, edges, edge_classes, cut_mesh, features.corner_angle,
-                                       features.apex_defect, is_vertex_constrained);
+                                       features.apex_defect, edge_mark, is_vertex_constrained);
     curves = chain_feature_edges(triangles, edges, edge_classes, vertex_classes,
                                  Saturation(options.maximum_displacement));
     progress(before_fit);

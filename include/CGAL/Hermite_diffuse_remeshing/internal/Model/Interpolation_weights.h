@@ -195,10 +195,10 @@ inline Eigen::Array2d interpolating_weights(const Eigen::Array2d& w, const int e
 {
   // a ratio of 4e8, or 1e8, between a node and its ring, which closes the gap to 1e-9 of an edge and turns
   // the normal by less than 1e-8 while the normal equations stay well conditioned
-  constexpr double least_complement_squared = 5e-5, least_complement = 1e-8;
+  constexpr double least_complement_of_square = 5e-5, least_complement = 1e-8;
   if(exponent == 1)
     return w / (1. - w).max(least_complement);
-  const Eigen::Array2d ratio = w / (1. - w).max(least_complement_squared);
+  const Eigen::Array2d ratio = w / (1. - w).max(least_complement_of_square);
   return ratio * ratio;
 }
 

@@ -62,7 +62,9 @@ private:
   bool fit(const Node_frame& frame, const double combined_share, Monge_form& result) const
   {
     // own normal: exactly the frame's; own position: there is no constant term
-    constexpr double own_weight = 1e8, ridge = 1e-9, least_pivot = 1e-9;
+    constexpr double own_weight = 1e8, ridge = 1e-9;
+    // what the ridge determines alone, whatever the directions of the axes
+    constexpr double least_pivot = 10. * ridge;
     // in 1/(d^2 + floor), d relative to the node's size: where there is noise a near neighbour
     // deserves little more trust than a far one
     const double weight_floor = m_surface.options().normals == SMOOTH_NORMALS ? 3. : 1e-6;

@@ -11,6 +11,8 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Classification/classify_vertices.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 

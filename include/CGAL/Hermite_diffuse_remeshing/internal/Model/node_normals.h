@@ -87,17 +87,18 @@ inline std::vector<Vector> smoothed_normals(const Cut_mesh& cut_mesh, const std:
   return result;
 }
 
-// The normal that the user gives for a vertex, on the side of a node. A vertex on a feature has several
-// sides and one normal: it belongs to those whose faces it is nearly normal to, whichever of their sides it is on.
+// The normal that the user gives for a vertex, on the side of a node and whichever of the faces' sides it is on. A vertex on
+// a feature has several nodes and one normal: it belongs to those whose faces it is nearly normal to. Elsewhere facets may
+// be as coarse as they like, but a normal that lies nearly in them tells nothing.
 inline Vector given_normal(const std::vector<Vector>& vertex_normals, const Cut_mesh& cut_mesh, const int node,
-                           const Vector& fan_normal)
+                           const bool is_only_node, const Vector& fan_normal)
 {
-  constexpr double least_cosine = 0.86602540378443865;      // cos 30 degrees
+  constexpr double least_cosine_at_feature = 0.86602540378443865, least_cosine = 0.5;      // of 30 and 60 degrees
   if(vertex_normals.empty())
     return Vector::Zero();
   const Vector& normal = vertex_normals[cut_mesh.vertex(node)];
   const double cosine = normal.dot(fan_normal);
-  if(std::abs(cosine) < least_cosine)
+  if(std::abs(cosine) < (is_only_node ? least_cosine : least_cosine_at_feature))
     return Vector::Zero();
   return cosine > 0. ? normal : Vector(-normal);
 }
@@ -166,10 +167,15 @@ inline Neighbors_on_lines estimate_node_normals(const Indexed_triangles& surface
     };
   }, progress.part(0., 0.));
 
+  std::vector<int> number_of_nodes(known_normals.of_vertices.size(), 0);     // of the vertices
+  if(!number_of_nodes.empty())
+    for(int i = 0; i < n; ++i)
+      ++number_of_nodes[cut_mesh.vertex(i)];
   std::vector<bool> is_given(n);
   for(int i = 0; i < n; ++i)
   {
-    nodes[i].normal = given_normal(known_normals.of_vertices, cut_mesh, i, normals[i]);
+    nodes[i].normal = given_normal(known_normals.of_vertices, cut_mesh, i,
+                                   !number_of_nodes.empty() && number_of_nodes[cut_mesh.vertex(i)] == 1, normals[i]);
     is_given[i] = nodes[i].has_normal();
   }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace CGAL {

@@ -9,15 +9,17 @@
 #ifndef CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_TARGETS_H
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_DEVIATION_TARGETS_H
 
-#include <CGAL/Hermite_diffuse_remeshing/internal/Model/Side_middles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Progress.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Reference.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Model_heights.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/for_each_index.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -54,9 +56,12 @@ inline std::vector<Location> locations_around(const Location& location, const do
 class Deviation_targets
 {
   const Reference& m_reference;
+  Model_heights m_model;
   double m_bound;
   std::vector<Deviation_target> m_targets;
+  std::vector<double> m_heights;        // of the model over the faces, by the corners, the middles and the centroids
   std::vector<int> m_parts;             // in how many parts the sides of the faces are cut
+  double m_part_factor = 1.;            // of these numbers
   double m_model_distance = 0.;
 
   // What is left between the points, relative to the bound. Between them the distance to the mesh changes by
@@ -67,6 +72,7 @@ class Deviation_targets
   // Height over the longest side of a facet, an arc of 44 degrees: a model that is steeper may be folded, and the
   // points of the mesh near another part of it.
   static constexpr double steep = 0.1;
+  static constexpr int parts_of_thin_face = 6;
   // four thousand points in a face; where the model is so steep, one more says nothing new
   static constexpr double largest_number_of_parts = 90.;
 
@@ -75,7 +81,7 @@ public:
   template <typename IsRemeshed>
   Deviation_targets(const Reference& reference, const double bound, const std::size_t maximum_number_of_faces,
                     const IsRemeshed& is_remeshed, const Progress& progress)
-    : m_reference(reference), m_bound(bound), m_parts(triangles().number_of_faces(), 0)
+    : m_reference(reference), m_model(reference), m_bound(bound), m_parts(triangles().number_of_faces(), 0)
   {
     find_parts(is_remeshed, progress.part(0., 0.));
     limit_parts(double(maximum_number_of_faces));
@@ -95,19 +101,6 @@ public:
 private:
   const Indexed_triangles& triangles() const { return m_reference.surface.triangles(); }
 
-  static Location location(const int face, const double u, const double v)
-  {
-    Location result;
-    result.face = face;
-    result.coordinates = {{(std::max)(0., 1. - u - v), u, v}};
-    return result;
-  }
-
-  double distance_to_facet(const Location& at, const Vector& p) const
-  {
-    return (triangles().point(m_reference.locator.location_on_face(at.face, p)) - p).norm();
-  }
-
   bool is_parallel() const { return m_reference.surface.options().is_parallel; }
 
   void note_model_distances(const std::vector<double>& distances)
@@ -119,16 +112,18 @@ private:
   template <typename IsRemeshed>
   void find_parts(const IsRemeshed& is_remeshed, const Progress& progress)
   {
-    std::vector<double> expected(m_parts.size(), 0.), heights(m_parts.size(), 0.);
+    std::vector<double> heights(m_parts.size(), 0.);
+    std::vector<double>& expected = m_heights;
+    expected.assign(m_parts.size(), 0.);
     for_each_index(triangles().number_of_faces(), is_parallel(), [&]
-    { return [&](const int f) { expected[f] = is_remeshed(f) ? height_of_sides(f) : 0.; }; }, progress);
+    { return [&](const int f) { expected[f] = is_remeshed(f) ? m_model.expected(f) : 0.; }; }, progress);
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
     const auto measure_between = [&](const double least, const double end)
     {
-      measure_heights([&](const int f)
+      m_model.measure([&](const int f)
       {
         return is_remeshed(f) && ((least <= expected[f] && expected[f] < end)
-                                  || (end == infinity && is_at_feature_or_apex(f)));
+                                  || (end == infinity && m_model.is_at_feature_or_apex(f)));
       }, progress, heights);
       note_model_distances(heights);
     };
@@ -149,8 +144,10 @@ private:
     {
       return [&](const int f)
       {
-        if(is_remeshed(f))
-          m_parts[f] = count_parts(f, (std::max)(heights[f], expected[f]));
+        if(!is_remeshed(f))
+          return;
+        m_heights[f] = (std::max)(heights[f], m_heights[f]);
+        m_parts[f] = count_parts(f, std::isfinite(m_bound) && m_model.is_thin(f) ? m_model.between(f, parts_of_thin_face) : 0.);
       };
     }, progress);
   }
@@ -172,41 +169,9 @@ private:
     std::vector<double> between(highest.size(), 0.);
     for_each_index(static_cast<int>(highest.size()), is_parallel(), [&]
     {
-      return [&](const int i)
-      {
-        for(int a = 0; a <= number_of_parts; ++a)
-          for(int b = 0; a + b <= number_of_parts; ++b)
-          {
-            const Location at = location(highest[i], double(a) / number_of_parts, double(b) / number_of_parts);
-            between[i] = (std::max)(between[i], distance_to_facet(at, m_reference.surface_point(at)));
-          }
-      };
+      return [&](const int i) { between[i] = m_model.between(highest[i], number_of_parts); };
     }, progress);
     note_model_distances(between);
-  }
-
-  bool is_at_feature_or_apex(const int f) const
-  {
-    bool result = false;
-    for(int k = 0; k < 3; ++k)
-      result = result || m_reference.surface.cut_mesh().neighbor(f, k) == -1 || !m_reference.surface.node(f, k).has_normal();
-    return result;
-  }
-
-  // of the model over the faces that are asked for
-  template <typename IsAskedFor>
-  void measure_heights(const IsAskedFor& is_asked_for, const Progress& progress, std::vector<double>& heights) const
-  {
-    const auto point_at = [this](const Location& location) { return m_reference.surface_point(location); };
-    const Side_middles middles(m_reference.surface, m_reference.edges, is_asked_for, point_at, progress);
-    for_each_index(triangles().number_of_faces(), is_parallel(), [&]
-    {
-      return [&](const int f)
-      {
-        if(is_asked_for(f))
-          heights[f] = height_of_model(f, middles);
-      };
-    }, progress);
   }
 
   // Where m faces lie over one of the reference, they deviate by 1/m of the height of the model, and with n parts of
@@ -217,66 +182,35 @@ private:
     double sum = 0.;
     for(const int n : m_parts)
       sum += double(n) * n;
-    const double factor = std::sqrt(maximum_number_of_faces / (tolerance * sum));
-    if(!(factor < 1.))
-      return;
+    m_part_factor = (std::min)(1., std::sqrt(maximum_number_of_faces / (tolerance * sum)));
     for(int& n : m_parts)
-      n = static_cast<int>(std::ceil(factor * n));
+      n = static_cast<int>(std::ceil(m_part_factor * n));
   }
 
-  // at the middles of the sides and at the centroid
-  template <typename Middles>
-  double height_of_model(const int f, const Middles& middles) const
+  // The height of the model over a facet falls with the square of the length. Where it was found to be higher at a point
+  // than `m_heights` says, the peak is narrower than the facet by as much.
+  int count_parts(const int f, const double height_found) const
   {
-    const Location center = location(f, 1. / 3., 1. / 3.);
-    double height = distance_to_facet(center, m_reference.surface_point(center));
-    for(int k = 0; k < 3; ++k)
-      height = (std::max)(height, distance_to_facet(Middles::location(f, k), middles(f, k)));
-    return height;
-  }
-
-  // The height of the model over a facet falls with the square of the length.
-  int count_parts(const int f, const double height) const
-  {
+    constexpr double narrowest = 4.;
+    double height = m_heights[f];
+    if(height_found > height)
+      height = height_found * CGAL::square((std::min)(narrowest, height_found / height));
     const double needed = std::sqrt(height / (tolerance * m_bound));
     if(needed <= 1.)
       return 1;
-    double longest_side = 0.;
-    for(int k = 0; k < 3; ++k)
-      longest_side = (std::max)(longest_side, (triangles().point(f, next(k)) - triangles().point(f, k)).norm());
+    const double longest_side = m_model.longest_side(f);
     const double useful = height > steep * longest_side ? (std::numeric_limits<double>::infinity)()
                                                         : longest_side / (least_distance * smallest_size(f));
     return (std::max)(1, static_cast<int>(std::ceil((std::min)({needed, useful, largest_number_of_parts}))));
   }
 
-  // What the normals at the corners let expect: a side like an S has no height at its middle. An arc with the slope s
-  // at both ends rises by s/4 of its length.
-  double height_of_sides(const int f) const
-  {
-    constexpr double least_cosine = 0.2;
-    const Vector normal = triangles().area_vector(f).stableNormalized();
-    double height = 0.;
-    for(int k = 0; k < 3; ++k)
-    {
-      const Vector side = triangles().point(f, next(k)) - triangles().point(f, k);
-      double rise = 0.;
-      for(const int corner : {k, next(k)})
-      {
-        const Vector& n = m_reference.surface.node(f, corner).normal;
-        rise += std::abs(n.dot(side)) / (std::max)(n.dot(normal), least_cosine);
-      }
-      height = (std::max)(height, rise / 8.);
-    }
-    return height;
-  }
-
   // of those at the corners, the middles and the centroid
   double smallest_size(const int f) const
   {
-    double result = m_reference.sizes(location(f, 1. / 3., 1. / 3.));
+    double result = m_reference.sizes(location_in_face(f, 1. / 3., 1. / 3.));
     for(int i = 0; i <= 2; ++i)
       for(int j = 0; i + j <= 2; ++j)
-        result = (std::min)(result, m_reference.sizes(location(f, i / 2., j / 2.)));
+        result = (std::min)(result, m_reference.sizes(location_in_face(f, i / 2., j / 2.)));
     return result;
   }
 
@@ -308,11 +242,42 @@ private:
     }
   }
 
+  // Where a point is higher over its face than what the face was cut for, it is cut again.
   void collect_face_points(const Progress& progress)
   {
-    const std::size_t first = m_targets.size();
-    for(int f = 0; f < triangles().number_of_faces(); ++f, progress(0.))
-      collect_locations(f);
+    std::vector<int> faces(m_parts.size());
+    std::iota(faces.begin(), faces.end(), 0);
+    while(!faces.empty())
+    {
+      const std::size_t first = m_targets.size();
+      for(const int f : faces)
+      {
+        progress(0.);
+        collect_locations(f);
+      }
+      const std::vector<double> distances = find_points(first, progress);
+      note_model_distances(distances);
+      faces.clear();
+      for(std::size_t i = 0, next; i < distances.size(); i = next)
+      {
+        const int f = m_targets[first + i].location.face;
+        double height = 0.;
+        for(next = i; next < distances.size() && m_targets[first + next].location.face == f; ++next)
+          height = (std::max)(height, distances[next]);
+        if(height <= m_heights[f])
+          continue;
+        const int n = static_cast<int>(std::ceil(m_part_factor * count_parts(f, height)));
+        if(n <= m_parts[f])
+          continue;
+        m_parts[f] = n;
+        faces.push_back(f);
+      }
+    }
+  }
+
+  // of the targets from the first one on; returns how far they are from their facets
+  std::vector<double> find_points(const std::size_t first, const Progress& progress)
+  {
     std::vector<double> distances(m_targets.size() - first);
     for_each_index(static_cast<int>(distances.size()), is_parallel(), [&]
     {
@@ -320,10 +285,10 @@ private:
       {
         Deviation_target& target = m_targets[first + i];
         target.point = m_reference.surface_point(target.location);
-        distances[i] = distance_to_facet(target.location, target.point);
+        distances[i] = m_model.distance_to_facet(target.location, target.point);
       };
     }, progress);
-    note_model_distances(distances);
+    return distances;
   }
 
   // of a regular partition, without the corners
@@ -334,8 +299,8 @@ private:
       for(int j = 0; i + j <= n; ++j)
       {
         const int steps[3] = {n - i - j, i, j};
-        if(std::max({steps[0], steps[1], steps[2]}) < n && !is_at_neighbor(f, steps))
-          m_targets.push_back({Vector::Zero(), location(f, double(i) / n, double(j) / n)});
+        if((std::max)({steps[0], steps[1], steps[2]}) < n && !is_at_neighbor(f, steps))
+          m_targets.push_back({Vector::Zero(), location_in_face(f, double(i) / n, double(j) / n)});
       }
   }
 

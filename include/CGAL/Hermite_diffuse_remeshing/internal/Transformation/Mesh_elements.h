@@ -22,7 +22,6 @@
 
 #include <boost/container/small_vector.hpp>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -368,7 +367,7 @@ private:
     Edge data;
     data.curve = m_reference.curves.curve_of_edge[reference_edge];
     data.type = m_reference.edge_classes[reference_edge];
-    data.is_constrained = m_user.is_constrained(e);
+    data.is_constrained = m_user.is_constrained(e) && is_feature(data.type);
     data.is_protected = is_frozen;
     put(m_edge, e, data);
   }
@@ -378,17 +377,18 @@ private:
   {
     for(const edge_descriptor e : edges(tmesh()))
     {
-      const halfedge_descriptor h = halfedge(e, tmesh());
-      const halfedge_descriptor o = opposite(h, tmesh());
+      const halfedge_descriptor h = halfedge(e, tmesh()), o = opposite(h, tmesh());
       Edge data = get(m_edge, e);
       const bool is_seam = is_border_or_outside(h) != is_border_or_outside(o)
                         && !CGAL::is_border(h, tmesh()) && !CGAL::is_border(o, tmesh());
+      // marks on edges that are free would go astray with the first flips
+      if(!is_seam && is_inside(e))
+        m_user.set_constrained(e, data.is_constrained);
       if(!is_seam && !data.is_protected)
         continue;
       data.is_protected = true;
       put(m_edge, e, data);
-      m_vertices[index(source(h, tmesh()))].is_frozen = true;
-      m_vertices[index(target(h, tmesh()))].is_frozen = true;
+      m_vertices[index(source(h, tmesh()))].is_frozen = m_vertices[index(target(h, tmesh()))].is_frozen = true;
     }
   }
 };

@@ -15,7 +15,6 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_map.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 

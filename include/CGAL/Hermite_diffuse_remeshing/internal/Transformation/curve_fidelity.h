@@ -20,7 +20,7 @@ namespace internal {
 
 // Edges may be longer than their size by the factor of a band, and the distance to the curve grows with the square.
 // On the faces this averages out; on a feature curve, which everybody sees, no edge is farther from the spline than
-// the error law allows for the size there.
+// `Size_sources::largest_sagitta()` allows for the size there.
 
 // `factor`: of the distance that is allowed
 template <typename UserMesh>

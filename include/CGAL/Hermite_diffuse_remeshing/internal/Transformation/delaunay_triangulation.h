@@ -20,7 +20,6 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 

@@ -18,7 +18,6 @@
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>

@@ -13,7 +13,6 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Working_mesh.h>
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 
 namespace CGAL {

@@ -11,8 +11,6 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Star.h>
 
-#include <algorithm>
-
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
 namespace internal {

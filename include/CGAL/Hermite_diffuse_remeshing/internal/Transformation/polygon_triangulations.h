@@ -13,7 +13,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
