@@ -65,10 +65,11 @@ public:
   /// is called after an edge was collapsed; `v` is the vertex that stayed.
   void after_edge_collapse(vertex_descriptor v);
 
-  /// is called before the edge `e` is flipped.
+  /// is called before the edge `e` is flipped. An operation that takes several flips, such as the removal of a vertex,
+  /// names all edges that go before it begins, and all that have come in their places after it, in another order.
   void before_edge_flip(edge_descriptor e);
 
-  /// is called after the edge `e` was flipped.
+  /// is called after the edge `e` was flipped, or has come in the place of one that was.
   void after_edge_flip(edge_descriptor e);
 
   /// is called before the vertex `v`, inside the surface, is removed with its edges, and the polygon around

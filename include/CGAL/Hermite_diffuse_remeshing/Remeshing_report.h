@@ -206,8 +206,9 @@ struct Remeshing_report
   /// measured at vertices, edge middles and face centroids of the result, where these tell that it is larger in
   /// between, between feature edges and their curves, and back to the result: from the vertices of the input, from the
   /// middles of its feature edges, on their curves, and, if there is a bound, from points of the model over its faces,
-  /// as many as it takes to know the model between them to a twentieth of the bound; and where edges of the result
-  /// cross the sides of faces of the input, along which the model may have ridges, and between. Distances are
+  /// as many as it takes to know the model, where it is smooth between them, to a twentieth of the bound; and where
+  /// edges of the result cross the sides of faces of the input, along which the model may have ridges, and between.
+  /// Distances are
   /// raised by 5 %, or by 15 % with a `maximum_displacement`, which allows for what is between the points. The mean is
   /// that of the faces of the result, of what is measured at their vertices, middles and centroids, not raised.
   /// @{
@@ -221,9 +222,9 @@ struct Remeshing_report
   std::array<double, 3> point_of_largest_deviation = {{0., 0., 0.}};
   /// the largest distance between the model and the facets of the input, at the middles of their sides and at their
   /// centroids, and at more points of those where it is large. The distance between the result and these facets, which
-  /// are chords of the model too, is at most the sum of this and of `largest_deviation`; only where faces of the result
-  /// span many facets and there is no bound may it be more, as between the vertices of the input nothing is measured
-  /// then.
+  /// are chords of the model too, is at most the sum of this and of `largest_deviation`, with two exceptions: where faces
+  /// of the result span many facets and there is no bound, as between the vertices of the input nothing is measured then;
+  /// and where the model rounds off a rim that is no feature, from which it is farther than from the facets beside it.
   double distance_of_model_from_input = 0.;
   /// the bound that was asked for, infinite if there was none
   double maximum_deviation = std::numeric_limits<double>::infinity();
