@@ -208,8 +208,7 @@ struct Remeshing_report
   /// middles of its feature edges, on their curves, and, if there is a bound, from points of the model over its faces,
   /// as many as it takes to know the model, where it is smooth between them, to a twentieth of the bound; and where
   /// edges of the result cross the sides of faces of the input, along which the model may have ridges, and between.
-  /// Distances are
-  /// raised by 5 %, or by 15 % with a `maximum_displacement`, which allows for what is between the points. The mean is
+  /// Distances are raised by 5 %, or by 15 % with a `maximum_displacement`, which allows for what is between the points. The mean is
   /// that of the faces of the result, of what is measured at their vertices, middles and centroids, not raised.
   /// @{
 
