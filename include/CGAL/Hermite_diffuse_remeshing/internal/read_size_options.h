@@ -80,6 +80,17 @@ void read_size_law(const Pack& pack, Size_options& options)
   }
 }
 
+inline double checked_user_size(double size, const Vector& p)
+{
+  if(!(size > 0.))
+  {
+    std::ostringstream place;
+    place << "the value of size_field at (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+    refuse(place.str(), size, "a size must be larger than zero");
+  }
+  return size;
+}
+
 // After the repairs: `face_descriptors[i]` is face i of the reference; they are asked as long as the options are used.
 template <typename FaceDescriptor, typename GeomTraits, typename Pack>
 void read_size_field(const Pack& pack, const GeomTraits& traits, const std::vector<FaceDescriptor>& face_descriptors,
@@ -91,28 +102,23 @@ void read_size_field(const Pack& pack, const GeomTraits& traits, const std::vect
     const auto field = parameters::get_parameter(pack, internal_np::size_field);
     constexpr bool is_local = std::is_invocable<decltype(field), const typename GeomTraits::Point_3&,
                                                 FaceDescriptor, const std::array<FT, 3>&>::value;
-    const typename GeomTraits::Construct_point_3 construct_point = traits.construct_point_3_object();
-    options.is_user_size_local = is_local;
-    options.user_size = [field, construct_point, &face_descriptors](const Vector& p, const Location& location)
+    const auto point = [construct_point = traits.construct_point_3_object()](const Vector& p)
     {
-      const auto point = construct_point(FT(p[0]), FT(p[1]), FT(p[2]));
-      double size;
-      if constexpr(is_local)
+      return construct_point(FT(p[0]), FT(p[1]), FT(p[2]));
+    };
+    options.is_user_size_local = is_local;
+    if constexpr(is_local)
+      options.user_size = [field, point, &face_descriptors](const Vector& p, const Location& location)
       {
         std::array<FT, 3> coordinates;
         std::copy(location.coordinates.begin(), location.coordinates.end(), coordinates.begin());
-        size = CGAL::to_double(field(point, face_descriptors[location.face], coordinates));
-      }
-      else
-        size = CGAL::to_double(field(point));
-      if(!(size > 0.))
+        return checked_user_size(CGAL::to_double(field(point(p), face_descriptors[location.face], coordinates)), p);
+      };
+    else
+      options.user_size = [field, point](const Vector& p, const Location&)
       {
-        std::ostringstream place;
-        place << "the value of size_field at (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
-        refuse(place.str(), size, "a size must be larger than zero");
-      }
-      return size;
-    };
+        return checked_user_size(CGAL::to_double(field(point(p))), p);
+      };
   }
   CGAL_USE(pack);
   CGAL_USE(traits);
