@@ -91,7 +91,10 @@ void test_models()
   }
   // equally far from all points
   const std::vector<std::pair<Point_3, double> > two = {{Point_3(-1, 0, 0), 1.}, {Point_3(1, 0, 0), 3.}};
-  assert(is_close(HDR::Scattered_size_field<Kernel>(two)(Point_3(0, 0, 0)), 2., 1e-12));
+  const HDR::Scattered_size_field<Kernel> between(two);
+  assert(is_close(between(Point_3(0, 0, 0)), 2., 1e-12));
+  // one of a few points, where the other is nine times as far, squared
+  assert(is_close(between(Point_3(-0.5, 0, 0)), (9. * 1. + 1. * 3.) / 10., 1e-12));
 
   typedef std::vector<std::pair<Point_3, double> > Sized_points;
   const double not_finite = std::numeric_limits<double>::infinity();

@@ -1,3 +1,4 @@
+#include "irregular_meshes.h"
 #include "is_refused.h"
 #include "marching_tetrahedra.h"
 #include "test_helpers.h"
@@ -5,8 +6,12 @@
 #include <CGAL/Hermite_diffuse_remeshing/Size_laws.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_number_of_faces.h>
 
+#include <array>
 #include <limits>
+#include <map>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 using namespace HDR::internal;
 
@@ -325,6 +330,57 @@ void test_regrading()
   assert(largest_change < 1e-7);
 }
 
+// the largest difference, relative, between the sizes from both sides of an edge
+double largest_jump(const Indexed_triangles& triangles, const Size_map& sizes)
+{
+  constexpr int n = 32;
+  std::map<std::array<int, 2>, std::vector<double> > sizes_on_edges;
+  double result = 0.;
+  for(int f = 0; f < triangles.number_of_faces(); ++f)
+    for(int k = 0; k < 3; ++k)
+    {
+      const int v = triangles.triangles[f][k], w = triangles.triangles[f][(k + 1) % 3];
+      std::vector<double> on_side;
+      for(int i = 1; i < n; ++i)
+      {
+        Location location{f, {{0., 0., 0.}}};
+        location.coordinates[k] = double(v < w ? i : n - i) / n;
+        location.coordinates[(k + 1) % 3] = 1. - location.coordinates[k];
+        on_side.push_back(sizes(location));
+      }
+      const auto inserted = sizes_on_edges.insert(std::make_pair(std::array<int, 2>{{(std::min)(v, w), (std::max)(v, w)}},
+                                                                 on_side));
+      for(int i = 0; i < n - 1; ++i)
+        result = (std::max)(result, std::abs(on_side[i] / inserted.first->second[i] - 1.));
+    }
+  return result;
+}
+
+// Cells match where faces meet, whatever is bisected: sizes of curvature, of the user, and those that are asked for later.
+void test_continuity()
+{
+  const Indexed_triangles triangles = indexed(analytic::sin_cos(5.).mesh(300, 3));
+  Size_options options;
+  options.length_over_radius = length_of_error(0.01);
+  options.minimum_length = 1e-3;
+  options.maximum_length = 2.;
+  constexpr double rounding = 1e-9;
+  Sized_model sized(triangles, options);
+  assert(largest_jump(triangles, sized.sizes) < rounding);
+  analytic::Random random(11);
+  for(int i = 0; i < 20; ++i)
+  {
+    const int face = static_cast<int>(random(0., triangles.number_of_faces() - 1.));
+    const double u = random(0., 0.5), v = random(0., 0.5);
+    const Location location{face, {{1. - u - v, u, v}}};
+    sized.sizes.add_cap(location, sized.sizes(location) / 10.);
+  }
+  sized.sizes.refine();
+  assert(largest_jump(triangles, sized.sizes) < rounding);
+  options.user_size = [](const Vector& p, const Location&) { return 0.05 + 0.5 * (p - Vector(1., 1., 0.)).norm(); };
+  assert(largest_jump(triangles, Sized_model(triangles, options).sizes) < rounding);
+}
+
 int main()
 {
   test_error_law();
@@ -338,6 +394,7 @@ int main()
   test_strip_beside_long_face();
   test_noisy_torus();
   test_regrading();
+  test_continuity();
   std::cout << "done" << std::endl;
   return EXIT_SUCCESS;
 }

@@ -42,8 +42,9 @@ namespace Hermite_diffuse_remeshing {
  * The size at a place is a mean of the sizes of the nearest points with the weights
  * \f$ (1 - (d_i/d)^2)^2 / d_i^2 \f$, \f$ d_i \f$ being their distances and \f$ d \f$ the largest of them
  * (R. Franke and G. Nielson, <em>Smooth interpolation of large sets of scattered data</em>, 1980, with a
- * smoother end of the weight). It is continuous, takes the given values at the points and stays
- * between the smallest and the largest of them.
+ * smoother end of the weight). Where there are no more than nine points all count everywhere, with the weights
+ * \f$ 1 / d_i^2 \f$ (D. Shepard, <em>A two-dimensional interpolation function for irregularly-spaced data</em>, 1968).
+ * The size is continuous, is the given one at the points and stays between the smallest and the largest of them.
  *
  * Copies share the points. A query takes time logarithmic in the number of points.
  *
@@ -110,12 +111,14 @@ public:
       neighbors.push_back(std::make_pair(found.second, found.first.second));
       radius2 = (std::max)(radius2, found.second);
     }
+    // Where no other one can take its place the farthest point counts, too.
+    const bool are_all_near = m_tree->size() <= number_of_neighbors;
     double sum = 0., sum_of_weights = 0.;
     for(const std::pair<double, double>& neighbor : neighbors)
     {
       if(neighbor.first == 0.)
         return neighbor.second;
-      const double share = 1. - neighbor.first / radius2;
+      const double share = are_all_near ? 1. : 1. - neighbor.first / radius2;
       // where all are equally far all count the same
       constexpr double floor = 1e-9;
       const double weight = (share * share + floor) * radius2 / neighbor.first;

@@ -65,8 +65,8 @@ public:
   // the leaf at a location, and the coordinates in it
   std::pair<int, Barycentric> leaf(const Location& location) const
   {
-    // Points between two children are usual on regular meshes, and the sizes may differ there where
-    // only one of the children is bisected further: rounding must not choose.
+    // Points between two children are usual on regular meshes, and what is asked for there is asked of one of them:
+    // rounding must not choose.
     constexpr double margin = 1e-9;
     int c = location.face;
     Barycentric l = location.coordinates;

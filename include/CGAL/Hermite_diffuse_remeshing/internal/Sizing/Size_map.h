@@ -16,6 +16,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Element_curvature.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Graded_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/User_size_probes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/coarsen_sizes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/number_of_equilateral_faces.h>
 
@@ -32,9 +33,9 @@ namespace internal {
 
 // The size of the elements as a function on the reference: the smallest of the curvature's (of the
 // surface at both sides of a feature, and of the feature curve), the user's, and the bounds, then
-// limited in slope. It is piecewise linear on the reference's faces, which are bisected where they
-// are larger than the size and the size varies, so that a large flat face between fine fillets can
-// carry a coarse middle. Read at a location by descending the bisections of its face.
+// limited in slope. It is continuous, and piecewise linear on the reference's faces, which are bisected
+// where they are larger than the size and the size varies, so that a large flat face between fine
+// fillets can carry a coarse middle. Read at a location by descending the bisections of its face.
 class Size_map
 {
   typedef Bisection_tree::Cell Cell;
@@ -50,19 +51,9 @@ class Size_map
   Curve_sizes m_curve_sizes;
   Frozen_lengths m_frozen;
   double m_scale = 1.;                    // of the own sizes, to meet a budget
-  double m_number_of_probes = 0.;
+  User_size_probes m_probes;
+  std::vector<int> m_unmatched;           // corners that may be in the middle of a side of another cell
 
-  // a cell is fine enough when its longest side is this many sizes long; off the simple ratios, so that
-  // rounding does not decide on regular meshes
-  static constexpr double sides_per_size = 2.0037;
-  // where the size that was asked for jumps, this many: the place of the jump moves by as much
-  static constexpr double sides_per_size_at_jump = 0.2513;
-  // or when the size in it differs by less than this from its linear interpolation
-  static constexpr double size_tolerance = 0.25;
-  // The user's field is probed at points this many sizes apart: a part of the field with smaller sizes
-  // is seen when it is as large as the elements around it. Off the simple ratios that regular meshes
-  // have, so that rounding does not choose the number of points.
-  static constexpr double probe_distance = 0.4973;
   // a bisection halves a side: 48 of them in a row reach the rounding of the coordinates
   static constexpr int maximum_number_of_rounds = 48;
 
@@ -138,6 +129,7 @@ private:
   {
     for(int round = 0; round < maximum_number_of_rounds; ++round)
     {
+      match_cells();
       grade();
       bool is_refined = false;
       const std::vector<char> has_changed = m_sizes.find_changes(m_samples);
@@ -154,6 +146,7 @@ private:
       if(!is_refined)
         break;
     }
+    match_cells();
     if(!m_sizes.is_up_to_date())
       grade();
   }
@@ -256,8 +249,51 @@ private:
   {
     const int middle = middle_of_side(m_cells[c], k);
     m_sizes.note(middle);
+    if(!m_samples.is_corner(middle))
+    {
+      m_samples.set_corner(middle);
+      m_unmatched.push_back(middle);
+    }
     m_sizes.note_bisected(m_cells[c].samples);
     m_cells.bisect(c, k, middle);
+  }
+
+  // Sizes are continuous where cells match: those beside which a cell has been bisected are, too. That it is always the
+  // longest side ends, and keeps the cells in shape (M.-C. Rivara, Algorithms for refining triangular grids suitable for
+  // adaptive and multigrid techniques, International Journal for Numerical Methods in Engineering 20, 1984).
+  void match_cells()
+  {
+    std::vector<char> is_end;             // of a side that has been bisected
+    for(bool is_bisected = !m_unmatched.empty(); is_bisected; )
+    {
+      is_bisected = false;
+      is_end.resize(m_samples.size(), false);
+      for(const int middle : m_unmatched)
+        is_end[m_samples.ends(middle)[0]] = is_end[m_samples.ends(middle)[1]] = true;
+      m_unmatched.clear();
+      const int number_of_cells = m_cells.number_of_cells();
+      for(int c = 0; c < number_of_cells && !is_full(); ++c, m_progress(0.))
+        if(m_cells.is_leaf(c) && is_bisected_beside(m_cells[c], is_end))
+        {
+          bisect(c, m_samples.longest_side(m_cells[c]));
+          is_bisected = true;
+        }
+    }
+  }
+
+  bool is_bisected_beside(const Cell& cell, const std::vector<char>& is_end) const
+  {
+    const auto is_marked = [&is_end](const int i) { return i < static_cast<int>(is_end.size()) && is_end[i]; };
+    for(int k = 0; k < 3; ++k)
+    {
+      const int a = cell.samples[k], b = cell.samples[next(k)];
+      if(!is_marked(a) || !is_marked(b))
+        continue;
+      const auto found = m_middles.find(ordered(a, b));
+      if(found != m_middles.end() && m_samples.is_corner(found->second))
+        return true;
+    }
+    return false;
   }
 
   // The sample at the middle of a side, made on demand and shared by the cells at the side. Each of them
@@ -298,7 +334,7 @@ private:
   {
     const Cell cell = m_cells[c];
     const int k = m_samples.longest_side(cell);
-    const double s[3] = {m_sizes[cell.samples[0]], m_sizes[cell.samples[1]], m_sizes[cell.samples[2]]};
+    const std::array<double, 3> s = {{m_sizes[cell.samples[0]], m_sizes[cell.samples[1]], m_sizes[cell.samples[2]]}};
     const double smallest = (std::min)({s[0], s[1], s[2]}), largest = (std::max)({s[0], s[1], s[2]});
     const double length = m_samples.side_length(cell, k);
     if(length > sides_per_size * smallest)
@@ -312,11 +348,11 @@ private:
            && m_samples.side_length(cell, i) > sides_per_size * smallest && is_other_at_middle(cell, i))
           return true;
     }
-    if(length > sides_per_size_at_jump * smallest && is_jump(cell))
+    if(length > sides_per_size_at_jump * smallest && has_jump_of_user_size(cell, m_samples, gradation()))
       return true;
     if(!m_sources.has_user_size() || cell.is_probed)
       return false;
-    if(has_smaller_user_size(cell, length, s))
+    if(m_probes.is_smaller_inside(cell, s, length, m_samples, m_sources, m_progress))
       return true;
     m_cells.set_probed(c);
     return false;
@@ -332,46 +368,6 @@ private:
     // with a gradation of 1 all sizes are the smallest
     return at_middle < interpolated / (1. + size_tolerance)
         || (gradation() > 1. && at_middle > (1. + size_tolerance) * interpolated);
-  }
-
-  // Do the user's sizes differ more between two corners than the gradation allows? The curvature's are
-  // not asked: they jump at every smooth junction of a flat and a round part, and what a fit says
-  // between two vertices there is no better known than at the vertices.
-  bool is_jump(const Cell& cell) const
-  {
-    for(int k = 0; k < 3; ++k)
-    {
-      const double a = m_samples.user_size(cell.samples[k]), b = m_samples.user_size(cell.samples[next(k)]);
-      const double allowed = slope_of_gradation(gradation()) * m_samples.side_length(cell, k);
-      if(std::abs(a - b) > (1. + size_tolerance) * allowed + size_tolerance * (std::min)(a, b))
-        return true;
-    }
-    return false;
-  }
-
-  // Is there a point in a cell where the user's size is smaller than the interpolation of the corners'?
-  bool has_smaller_user_size(const Cell& cell, const double length, const double s[3])
-  {
-    const double step = probe_distance * (std::min)({s[0], s[1], s[2]});
-    const int n = static_cast<int>((std::min)(length / step, double((std::numeric_limits<int>::max)() / 2)));
-    const double last_probe = m_sources.options().maximum_number_of_probes;
-    for(int i = 0; i <= n && m_number_of_probes < last_probe; ++i, m_progress(0.))
-      for(int j = 0; i + j <= n && m_number_of_probes < last_probe; ++j, ++m_number_of_probes)
-      {
-        // the centroids of the upright triangles of a regular partition of the cell
-        const Barycentric l = {{(i + 1. / 3.) / (n + 1.), (j + 1. / 3.) / (n + 1.), 1. - (i + j + 2. / 3.) / (n + 1.)}};
-        Vector p = Vector::Zero();
-        double interpolated = 0.;
-        for(int m = 0; m < 3; ++m)
-        {
-          p += l[m] * m_samples.position(cell.samples[m]);
-          interpolated += l[m] * s[m];
-        }
-        const double size = m_sources.of_user(p, closest_on_face(m_sources.triangles(), cell.face, p));
-        if(size * (1. + size_tolerance) < interpolated && length > sides_per_size * size)
-          return true;
-      }
-    return false;
   }
 
   double gradation() const { return m_sources.options().gradation; }

@@ -34,6 +34,7 @@ class Size_samples
     double cap;                           // asked for later
     double radius;                        // of curvature
     std::array<int, 2> ends;              // of the side that it halves; itself if there is none
+    bool is_corner;                       // of a cell
   };
 
   std::vector<Sample> m_samples;
@@ -44,11 +45,14 @@ public:
   double own_size(const int i) const { return m_samples[i].own_size; }
   double user_size(const int i) const { return m_samples[i].user_size; }
   const std::array<int, 2>& ends(const int i) const { return m_samples[i].ends; }
+  // of a cell, not only probed
+  bool is_corner(const int i) const { return m_samples[i].is_corner; }
+  void set_corner(const int i) { m_samples[i].is_corner = true; }
 
   void add(const Vector& position, const double size)
   {
     m_samples.push_back({position, size, size, std::numeric_limits<double>::infinity(),
-                         std::numeric_limits<double>::infinity(), {{this->size(), this->size()}}});
+                         std::numeric_limits<double>::infinity(), {{this->size(), this->size()}}, true});
   }
 
   // between two others; caps and radii are linear there
@@ -58,6 +62,7 @@ public:
     m_samples.back().cap = (m_samples[a].cap + m_samples[b].cap) / 2.;
     m_samples.back().radius = (m_samples[a].radius + m_samples[b].radius) / 2.;
     m_samples.back().ends = {{a, b}};
+    m_samples.back().is_corner = false;
   }
 
   void lower(const int i, const double size)
