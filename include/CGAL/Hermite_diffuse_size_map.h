@@ -29,8 +29,8 @@ namespace CGAL {
  * The class `Hermite_diffuse_size_map` gives the sizes that
  * `CGAL::Polygon_mesh_processing::hermite_diffuse_remesh()` would use, without changing the mesh: the
  * smallest of the curvature's size, on faces and feature curves, of the user's `size_field` and of the
- * bounds, limited by the gradation and scaled to the budget of faces. It also predicts how many faces
- * the result will have.
+ * bounds, limited by the gradation and scaled to the budget of faces. They are continuous across the edges
+ * of the mesh. It also predicts how many faces the result will have.
  *
  * The object is immutable, and refers to nothing: the mesh may change afterwards, for instance while
  * another remesher reads its sizes here. Queries from several threads are safe.

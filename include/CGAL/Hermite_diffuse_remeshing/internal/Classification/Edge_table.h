@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -48,38 +50,51 @@ class Edge_table
 
   struct Record
   {
-    int source, target;                           // source < target
+    int target;                                   // of the two ends the larger index
     Face_side side;
+
+    // as in the order of the faces where the ends are the same
+    bool operator<(const Record& other) const
+    {
+      return std::tie(target, side.face, side.side) < std::tie(other.target, other.side.face, other.side.side);
+    }
   };
 
 public:
   explicit Edge_table(const Indexed_triangles& surface)
     : m_edge_of_side(surface.triangles.size())
   {
-    std::vector<Record> records;
-    records.reserve(3 * surface.triangles.size());
+    // the sides by the smaller index of their ends
+    const auto source = [&surface](const int f, const int k)
+    {
+      return (std::min)(surface.triangles[f][k], surface.triangles[f][next(k)]);
+    };
+    std::vector<std::size_t> first(surface.number_of_vertices() + 1, 0);
     for(int f = 0; f < surface.number_of_faces(); ++f)
       for(int k = 0; k < 3; ++k)
-      {
-        const std::pair<const int&, const int&> ends =
-          std::minmax(surface.triangles[f][k], surface.triangles[f][next(k)]);
-        records.push_back({ends.first, ends.second, {f, k}});
-      }
-    // stable: the sides of an edge stay in the order of the faces
-    std::stable_sort(records.begin(), records.end(), [](const Record& a, const Record& b)
-                     { return a.source != b.source ? a.source < b.source : a.target < b.target; });
+        ++first[source(f, k) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Record> records(first.back());
+    std::vector<std::size_t> next_free(first.begin(), first.end() - 1);
+    for(int f = 0; f < surface.number_of_faces(); ++f)
+      for(int k = 0; k < 3; ++k)
+        records[next_free[source(f, k)]++] = {(std::max)(surface.triangles[f][k], surface.triangles[f][next(k)]), {f, k}};
 
     m_sides.reserve(records.size());
-    for(std::size_t i = 0; i < records.size(); ++i)
+    for(int v = 0; v < surface.number_of_vertices(); ++v)
     {
-      const Record& record = records[i];
-      if(i == 0 || record.source != records[i-1].source || record.target != records[i-1].target)
+      std::sort(records.begin() + first[v], records.begin() + first[v+1]);
+      for(std::size_t i = first[v]; i < first[v+1]; ++i)
       {
-        m_vertices.push_back({{record.source, record.target}});
-        m_first_side.push_back(static_cast<int>(i));
+        const Record& record = records[i];
+        if(i == first[v] || record.target != records[i-1].target)
+        {
+          m_vertices.push_back({{v, record.target}});
+          m_first_side.push_back(static_cast<int>(i));
+        }
+        m_edge_of_side[record.side.face][record.side.side] = static_cast<int>(m_vertices.size()) - 1;
+        m_sides.push_back(record.side);
       }
-      m_edge_of_side[record.side.face][record.side.side] = static_cast<int>(m_vertices.size()) - 1;
-      m_sides.push_back(record.side);
     }
     m_first_side.push_back(static_cast<int>(records.size()));
   }

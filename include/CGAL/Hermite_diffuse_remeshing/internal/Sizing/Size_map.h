@@ -263,27 +263,34 @@ private:
   // adaptive and multigrid techniques, International Journal for Numerical Methods in Engineering 20, 1984).
   void match_cells()
   {
-    std::vector<char> is_end;             // of a side that has been bisected
-    for(bool is_bisected = !m_unmatched.empty(); is_bisected; )
+    std::vector<int> last_pass;           // of the samples: after which a side of theirs was bisected last
+    int first_new = m_cells.number_of_cells();
+    bool is_bisected = !m_unmatched.empty();
+    for(int pass = 0; is_bisected; ++pass)
     {
       is_bisected = false;
-      is_end.resize(m_samples.size(), false);
+      last_pass.resize(m_samples.size(), -1);
       for(const int middle : m_unmatched)
-        is_end[m_samples.ends(middle)[0]] = is_end[m_samples.ends(middle)[1]] = true;
+        last_pass[m_samples.ends(middle)[0]] = last_pass[m_samples.ends(middle)[1]] = pass;
       m_unmatched.clear();
       const int number_of_cells = m_cells.number_of_cells();
       for(int c = 0; c < number_of_cells && !is_full(); ++c, m_progress(0.))
-        if(m_cells.is_leaf(c) && is_bisected_beside(m_cells[c], is_end))
+        if(m_cells.is_leaf(c) && is_bisected_beside(m_cells[c], c < first_new ? pass : 0, last_pass))
         {
           bisect(c, m_samples.longest_side(m_cells[c]));
           is_bisected = true;
         }
+      first_new = number_of_cells;
     }
   }
 
-  bool is_bisected_beside(const Cell& cell, const std::vector<char>& is_end) const
+  // in one of the passes from `first_pass` on
+  bool is_bisected_beside(const Cell& cell, const int first_pass, const std::vector<int>& last_pass) const
   {
-    const auto is_marked = [&is_end](const int i) { return i < static_cast<int>(is_end.size()) && is_end[i]; };
+    const auto is_marked = [&](const int i)
+    {
+      return i < static_cast<int>(last_pass.size()) && last_pass[i] >= first_pass;
+    };
     for(int k = 0; k < 3; ++k)
     {
       const int a = cell.samples[k], b = cell.samples[next(k)];

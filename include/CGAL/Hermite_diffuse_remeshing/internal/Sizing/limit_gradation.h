@@ -62,17 +62,21 @@ inline double bound_from_segment(const Vector& a, const Vector& b, const double 
   return (std::min)(at_ends, (std::max)(bound, (1. + margin) * (std::max)(s, t)));
 }
 
-// Of the indices: is it in a triangle in which the slope may be too large? Nowhere in a triangle a size is lowered to
-// less than the smallest one and what the slope makes of the smallest height.
-template <typename PointOfIndex>
-std::vector<char> find_steep(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
-                             const double slope, const std::vector<double>& sizes)
+// The indices, of some, that are in a triangle in which the slope may be too large. Nowhere in a triangle a size is lowered
+// to less than the smallest one and what the slope makes of the smallest height.
+template <typename PointOfIndex, typename IndexRange>
+std::vector<int> find_steep(const std::vector<std::array<int, 3> >& triangles, const PointOfIndex& point,
+                            const double slope, const IndexRange& indices, const std::vector<double>& sizes)
 {
   // far above the rounding of the heights
   constexpr double margin = 1e-6;
-  std::vector<char> result(sizes.size(), false);
+  std::vector<char> is_asked(sizes.size(), false), is_steep(sizes.size(), false);
+  for(const int i : indices)
+    is_asked[i] = true;
   for(const std::array<int, 3>& triangle : triangles)
   {
+    if(!is_asked[triangle[0]] && !is_asked[triangle[1]] && !is_asked[triangle[2]])
+      continue;
     const std::array<double, 3> s = {{sizes[triangle[0]], sizes[triangle[1]], sizes[triangle[2]]}};
     const double difference = *std::max_element(s.begin(), s.end()) - *std::min_element(s.begin(), s.end());
     if(!(difference > 0.))
@@ -84,8 +88,12 @@ std::vector<char> find_steep(const std::vector<std::array<int, 3> >& triangles, 
     const double double_area = (b - a).cross(c - a).norm();
     if(difference * std::sqrt(longest2) > (1. - margin) * slope * double_area)
       for(const int i : triangle)
-        result[i] = true;
+        is_steep[i] = true;
   }
+  std::vector<int> result;
+  for(const int i : indices)
+    if(is_steep[i])
+      result.push_back(i);
   return result;
 }
 
@@ -103,8 +111,8 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
   // in slivers rounding would lower a size again and again by its last digit
   constexpr double least_gain = 1e-9;
   progress(0.);
-  const std::vector<char> is_steep = find_steep(triangles, point, slope, sizes);
-  if(std::find(is_steep.begin(), is_steep.end(), true) == is_steep.end())
+  const std::vector<int> steep_seeds = find_steep(triangles, point, slope, seeds, sizes);
+  if(steep_seeds.empty())
     return;
   progress(0.);
   std::vector<int> first(sizes.size() + 1, 0);
@@ -121,9 +129,8 @@ void limit_gradation(const std::vector<std::array<int, 3> >& triangles, const Po
   progress(0.);
   typedef std::pair<double, int> Entry;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-  for(const int i : seeds)
-    if(is_steep[i])
-      queue.push(Entry(sizes[i], i));
+  for(const int i : steep_seeds)
+    queue.push(Entry(sizes[i], i));
   while(!queue.empty())
   {
     progress(0.);
