@@ -29,7 +29,8 @@ namespace CGAL {
  *
  * The class `Hermite_diffuse_surface` is the smooth surface that a triangle mesh stands for. It is
  * fitted to the vertices and to normals estimated there, interpolates both, is continuous across
- * edges, and stops at features: at a sharp edge each side has its own normal and curvature.
+ * edges, and stops at features: at a sharp edge each side has its own point, normal and curvature. The points of
+ * the two differ by about the sagitta of a curved edge.
  *
  * A point of the surface is named by a face of the mesh and barycentric coordinates in it, as in
  * `CGAL::Polygon_mesh_processing`'s location functions: the coordinates belong to

@@ -191,6 +191,39 @@ void test_free_form()
     }
 }
 
+// At a corner of the border the only facet, whose corners no plane misses, is no plane by itself.
+void test_corner_facets()
+{
+  // a wave over 10 x 10 squares, the diagonals of which cut all corners off
+  constexpr int n = 10;
+  analytic::Triangles t;
+  for(int j = 0; j <= n; ++j)
+    for(int i = 0; i <= n; ++i)
+    {
+      const double u = double(i) / n, v = double(j) / n;
+      t.points.push_back({{u, v, 0.1 * std::sin(6. * u + 0.3) * std::cos(5. * v + 0.2)}});
+    }
+  const auto at = [](const int i, const int j) { return std::size_t(j * (n + 1) + i); };
+  for(int j = 0; j < n; ++j)
+    for(int i = 0; i < n; ++i)
+    {
+      const std::size_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+      if((i < n / 2) == (j < n / 2))
+      {
+        t.faces.push_back({{a, b, d}});
+        t.faces.push_back({{b, c, d}});
+      }
+      else
+      {
+        t.faces.push_back({{a, b, c}});
+        t.faces.push_back({{a, c, d}});
+      }
+    }
+  Mesh mesh = make_mesh(t);
+  for(const Surface& surface : classify(mesh).surfaces)
+    assert(surface.type != CGAL::Hermite_diffuse_remeshing::PLANE_SURFACE || surface.number_of_faces > 1);
+}
+
 void test_whole_surfaces()
 {
   using namespace CGAL::Hermite_diffuse_remeshing;
@@ -316,6 +349,7 @@ int main()
       for(const double arc : {analytic::pi, 2. / 3. * analytic::pi})
         test_cylinder_panel(number_of_facets, number_of_rows, arc);
   test_cube();
+  test_corner_facets();
   test_whole_surfaces();
   test_fillets(48, 0.);
   test_fillets(96, 0.);

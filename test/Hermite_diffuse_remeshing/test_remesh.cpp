@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -984,6 +985,37 @@ void test_attribute_transfer()
     assert(is_seam[e] == HDR::internal::is_seam(mesh.halfedge(e, 0), mesh, uv));
 }
 
+// Locations refer to the faces before the repairs: an attribute is read on a copy of the input that still has what was
+// flipped, collapsed or folded over.
+void test_attributes_after_repairs()
+{
+  std::cout << "attributes after repairs" << std::endl;
+  typedef std::pair<std::size_t, std::array<double, 3> > Location;
+  for(const char* name : {"degtri_sliding.off", "mech-holes-shark.off"})
+  {
+    const Surface_mesh original = read_data<Surface_mesh>(name);
+    Surface_mesh mesh = original;
+    auto locations = mesh.add_property_map<Surface_mesh::Vertex_index, Location>("v:location").first;
+    auto origins = mesh.add_property_map<Surface_mesh::Face_index, std::size_t>("f:origin").first;
+    const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.1).vertex_location_map(locations)
+                                                            .face_origin_map(origins));
+    assert(report.number_of_degenerate_input_faces + report.number_of_folded_input_faces > report.number_of_unrepaired_faces);
+    HDR::Attribute_transfer<Surface_mesh, decltype(locations), decltype(origins)> transfer(original, mesh, locations, origins);
+    auto values = mesh.add_property_map<Surface_mesh::Vertex_index, Point_3>("v:value").first;
+    transfer.transfer_vertex_values(original.points(), values);
+    const std::set<Point_3> input_points(original.points().begin(), original.points().end());
+    std::size_t number_of_kept = 0;
+    for(const auto v : mesh.vertices())
+      if(input_points.count(mesh.point(v)) > 0)
+      {
+        ++number_of_kept;
+        assert(values[v] == mesh.point(v));
+      }
+    std::cout << "  " << name << ": " << number_of_kept << " vertices have stayed" << std::endl;
+    assert(number_of_kept > 0);
+  }
+}
+
 // The outline of a winding stair, seen from above, crosses itself as soon as steps lie above others; that of a ring, which
 // consists of two loops, does not.
 void test_outlines()
@@ -1110,6 +1142,7 @@ int main(int argc, char** argv)
   test_output_maps();
   test_size_conformity();
   test_attribute_transfer();
+  test_attributes_after_repairs();
   test_outlines();
   test_close_sheets();
   std::cout << "done" << std::endl;

@@ -59,7 +59,9 @@ enum Vertex_class
 enum Edge_policy
 {
   DETECTED_EDGE = 0,   ///< nothing: the rules of the detection hold
-  FREE_EDGE,           ///< no feature, whatever its angle and the labels of its faces; an edge of the border stays one
+  FREE_EDGE,           ///< no feature, whatever its angle and the labels of its faces; an edge of the border stays one.
+                       ///< A crease that is declared smooth is a very small radius: bound the sizes there by
+                       ///< `minimum_edge_length`, or very small ones are asked for.
   RESAMPLED_EDGE,      ///< a feature: its vertices move along its curve, and are as many as the sizes ask for
   PROTECTED_EDGE       ///< a feature that stays exactly as it is: neither split, collapsed nor moved
 };

@@ -242,7 +242,7 @@ struct Remeshing_report
   /// @{
 
   /// part of the edges with a length between half and twice the size asked for, in [0, 1]; the sizes are those that
-  /// `maximum_deviation` has lowered
+  /// `maximum_deviation` has lowered. 1 without edges
   double size_conformity = 0.;
   /// number of faces of the whole mesh that was expected from the sizes before anything was changed:
   /// the integral of \f$ 4/(\sqrt{3}\,L^2) \f$ over the remeshed part, and the faces of the rest

@@ -58,7 +58,7 @@ namespace Polygon_mesh_processing {
  *
  * @param faces the faces of `tmesh` to be remeshed; the others are left exactly as they are, and so are the
  *        edges between the two. The surface is fitted to the whole mesh. Without any, nothing changes; one
- *        that has been removed is refused.
+ *        that has been removed is refused, until its garbage is collected: then the descriptor names nothing.
  * @param tmesh the mesh
  * @param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
  *
@@ -233,7 +233,8 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_faces}
  *     \cgalParamDescription{budget of remeshed faces. The sizes, their bounds included, are scaled up until
- *       nine tenths of it are predicted, and no edge is split beyond it. 0 means the default.}
+ *       nine tenths of it are predicted, and no edge is split beyond it. Features may keep the faces of a larger input
+ *       above it. 0 means the default.}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1000000, or ten times the faces of the input if that is more: a cap, so that an absurdly
  *       small size does not eat the memory}

@@ -50,8 +50,9 @@ Model_options read_model_options(const Pack& pack)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const bool is_of_paper =
-    choose_parameter(get_parameter(pack, internal_np::surface_model), CONTINUOUS_MODEL) == PAPER_MODEL;
+  const Surface_model surface_model = choose_parameter(get_parameter(pack, internal_np::surface_model), CONTINUOUS_MODEL);
+  check_parameter("surface_model", surface_model, CONTINUOUS_MODEL, PAPER_MODEL);
+  const bool is_of_paper = surface_model == PAPER_MODEL;
   Model_options options;
   options.is_solved_at_centroids = is_of_paper;
   options.degree = choose_parameter(get_parameter(pack, internal_np::polynomial_degree), is_of_paper ? 2 : 3);
@@ -61,6 +62,7 @@ Model_options read_model_options(const Pack& pack)
   check_parameter("hermite_weight", options.hermite_weight, 0.001, 0.999);
   options.normals = choose_parameter(get_parameter(pack, internal_np::normal_estimation),
                                      is_of_paper ? AREA_NORMALS : FITTED_NORMALS);
+  check_parameter("normal_estimation", options.normals, FITTED_NORMALS, AREA_NORMALS);
   if(is_of_paper || options.normals == SMOOTH_NORMALS)
     options.exponent = 1;                // the paper's; also averages the noise of the positions
   options.maximum_displacement = choose_parameter(get_parameter(pack, internal_np::maximum_displacement),

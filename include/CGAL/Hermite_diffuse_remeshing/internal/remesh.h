@@ -97,7 +97,7 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
 
   Remeshing_report<TriangleMesh> report;
   describe_input(input, is_selected, report);
-  const std::vector<Repair> repairs = plan_repairs(input, pack, is_remeshed, report);
+  const Repair_plan plan = plan_repairs(input, pack, is_remeshed, report);
   read_size_field(pack, input.traits, input.face_descriptors, size_options);
   Supervisor_of_visitor<TriangleMesh, std::remove_reference_t<Visitor_reference> >
     watched(visitor, report, maximum_running_time);
@@ -111,11 +111,11 @@ Remeshing_report<TriangleMesh> remesh(const FaceRange& faces, TriangleMesh& tmes
     [&]
     {
       is_begun = true;
-      if(!repairs.empty())
-        watched.stage("repair", [&] { carry_out_repairs(repairs, user, input); });
+      if(!plan.repairs.empty())
+        watched.stage("repair", [&] { carry_out_repairs(plan.repairs, user, input); });
     },
     [&](const auto& mesh, const auto& deviations)
-    { write_output_maps(mesh, deviations, input.face_descriptors, input.face_ranks, pack); },
+    { write_output_maps(mesh, deviations, input, plan.former_faces, pack); },
     report);
   if(!is_begun)
   {

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_REPAIR_INPUT_H
 
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Former_faces.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/plan_repairs.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
@@ -50,10 +51,16 @@ bool has_folded_face(const Input_mesh<TriangleMesh, GeomTraits>& input)
   return false;
 }
 
+struct Repair_plan
+{
+  std::vector<Repair> repairs;
+  Former_faces former_faces;
+};
+
 // Replaces the copy of the mesh, not the mesh, by one without the degenerate and folded faces that can be repaired, and
-// drops the marks of the faces that are gone. Returns the changes.
+// drops the marks of the faces that are gone.
 template <typename TriangleMesh, typename GeomTraits, typename Pack>
-std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
+Repair_plan plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, const Pack& pack,
                                  std::vector<char>& is_remeshed, Remeshing_report<TriangleMesh>& report)
 {
   using parameters::choose_parameter;
@@ -64,7 +71,7 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
   const std::size_t number = count_degenerate_faces(input.triangles, resolution);
   check_has_area(input.triangles, number);
   if(number == 0 && !has_folded_face(input))
-    return std::vector<Repair>();
+    return Repair_plan();
 
   const auto vcm = choose_parameter(get_parameter(pack, internal_np::vertex_is_constrained),
                                     Static_boolean_property_map<typename Graph_traits::vertex_descriptor, false>());
@@ -87,6 +94,7 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
   report.number_of_unrepaired_faces = repaired.number_of_degenerate_faces_left + repaired.number_of_folded_faces_left;
   report.largest_unfolding = repaired.highest_rise;
 
+  Repair_plan plan{repaired.repairs, Former_faces(input.triangles, input.face_ranks, repaired)};
   input.triangles.triangles = repaired.triangles;
   input.side_marks = repaired.side_marks;
   for(std::size_t i = 0; i < repaired.faces.size(); ++i)
@@ -99,7 +107,7 @@ std::vector<Repair> plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, co
   input.face_descriptors.resize(repaired.faces.size());
   input.face_ranks.resize(repaired.faces.size());
   is_remeshed.resize(repaired.faces.size());
-  return repaired.repairs;
+  return plan;
 }
 
 // after a stop before the repairs were carried out

@@ -10,6 +10,7 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_WRITE_OUTPUT_MAPS_H
 
 #include <CGAL/Hermite_diffuse_remeshing/Feature_classes.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Former_faces.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Indexed_triangles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/Size_sources.h>
@@ -26,11 +27,10 @@ namespace Hermite_diffuse_remeshing {
 namespace internal {
 
 // Writes where the vertices lie on the input, their sizes, the classes of the edges and the faces' origins and
-// deviations. Face i of the reference was face `face_descriptors[i]`, with rank `face_ranks[i]`, of the user's mesh.
-template <typename Mesh, typename Deviation, typename Pack>
-void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations,
-                       const std::vector<typename Mesh::face_descriptor>& face_descriptors,
-                       const std::vector<std::size_t>& face_ranks, const Pack& pack)
+// deviations. The reference is the input after the repairs.
+template <typename Mesh, typename Deviation, typename Input, typename Pack>
+void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviations, const Input& input,
+                       const Former_faces& former_faces, const Pack& pack)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -54,7 +54,7 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
       if(mesh.index(v) != -1)
       {
         const Location& location = mesh.data(v).site.location;
-        put(location_map, v, std::make_pair(face_ranks[location.face], location.coordinates));
+        put(location_map, v, former_faces(location, input.triangles, input.face_ranks));
         put(size_map, v, mesh.size(v));
       }
   if constexpr(is_given<Pack, internal_np::edge_class_map_t>())
@@ -62,12 +62,12 @@ void write_output_maps(const Mesh& mesh, const std::vector<Deviation>& deviation
       put(class_map, e, mesh.edge_class(halfedge(e, mesh.tmesh())));
   if constexpr(is_given<Pack, internal_np::face_origin_map_t>())
   {
-    for(std::size_t i = 0; i < face_descriptors.size(); ++i)
+    for(std::size_t i = 0; i < input.face_descriptors.size(); ++i)
       if(!mesh.is_reference_face_remeshed(static_cast<int>(i)))
-        put(origin_map, face_descriptors[i], face_ranks[i]);
+        put(origin_map, input.face_descriptors[i], input.face_ranks[i]);
     for(const face_descriptor f : faces(mesh.tmesh()))
       if(mesh.is_remeshed(f))
-        put(origin_map, f, face_ranks[mesh.face_of_reference(f)]);
+        put(origin_map, f, input.face_ranks[mesh.face_of_reference(f)]);
   }
   for(const Deviation& entry : deviations)
     put(deviation_map, entry.face, entry.deviation);

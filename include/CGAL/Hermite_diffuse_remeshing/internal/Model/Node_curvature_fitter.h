@@ -11,6 +11,8 @@
 
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/Reference_surface.h>
 
+#include <algorithm>
+#include <cmath>
 
 namespace CGAL {
 namespace Hermite_diffuse_remeshing {
@@ -38,8 +40,7 @@ public:
       return evaluated(node);
     const bool is_open = m_surface.cut_mesh().is_open(node);
     m_neighborhood.collect(node, is_open ? 3 : 2);
-    const Node_frame frame(center.position, center.normal,
-                           m_surface.node(*m_surface.cut_mesh().ring(node).begin()).position, center.size);
+    const Node_frame frame = principal_frame(node);
     // in one-sided neighbourhoods terms of odd orders do not cancel, and are worse than those of even ones
     const double combined_share = is_open ? 0. : center.combined_share;
     Monge_form result;
@@ -53,6 +54,35 @@ public:
   }
 
 private:
+  // Turned to the directions in which the neighbours are spread most and least. What few of them leave undetermined, as along
+  // a cylinder of one row, then is one coefficient, with a pivot that tells so, and not a mix of several; and nothing
+  // depends on the order in which the faces are stored.
+  Node_frame principal_frame(const int node) const
+  {
+    const Node& center = m_surface.node(node);
+    const auto ring = m_surface.cut_mesh().ring(node);
+    const auto distance2 = [&](const int j) { return (m_surface.node(j).position - center.position).squaredNorm(); };
+    const int nearest = *std::min_element(ring.begin(), ring.end(),
+                                          [&](const int i, const int j) { return distance2(i) < distance2(j); });
+    const Node_frame frame(center.position, center.normal, m_surface.node(nearest).position, center.size);
+    double xy = 0., difference = 0., sum = 0.;
+    for(const int j : m_neighborhood.neighbors())
+    {
+      const Vector x = frame.local(m_surface.node(j).position);
+      xy += 2. * x[0] * x[1];
+      difference += x[0] * x[0] - x[1] * x[1];
+      sum += x[0] * x[0] + x[1] * x[1];
+    }
+    // of the spreads: below it is the same in all directions, but for rounding
+    constexpr double noticeable_part = 1e-6;
+    if(!(std::hypot(xy, difference) > noticeable_part * sum))
+      return frame;
+    const double angle = std::atan2(xy, difference) / 2.;
+    return Node_frame(center.position, center.normal,
+                      center.position + center.size * (std::cos(angle) * frame.x_axis + std::sin(angle) * frame.y_axis),
+                      center.size);
+  }
+
   Monge_form evaluated(const int node) const
   {
     return m_surface.evaluate_unbounded(m_surface.location_of_node(node)).monge_form();

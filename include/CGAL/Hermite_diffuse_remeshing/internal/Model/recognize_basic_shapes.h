@@ -175,8 +175,8 @@ private:
       const std::size_t number_before = faces.size();
       bool is_whole_patch;
       grow(shape, f, faces, nodes, is_whole_patch);
-      // points enough to prove the shape, unless it is all there is
-      const int spare = is_whole_patch || shape.type == PLANE_SURFACE ? 0 : 8;
+      // points enough to prove the shape, unless it is all there is; a triangle proves no plane
+      const int spare = is_whole_patch ? 0 : shape.type == PLANE_SURFACE ? 1 : 8;
       if(faces.empty() || int(nodes.size()) < shape.degrees_of_freedom() + spare)
         return false;
       if(faces.size() <= number_before)

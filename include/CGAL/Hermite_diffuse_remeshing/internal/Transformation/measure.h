@@ -59,7 +59,7 @@ measure_faces(const Working_mesh<UserMesh>& mesh, Remeshing_report<TriangleMesh>
   }
   report.number_of_vertices = std::distance(vertices(tm).begin(), vertices(tm).end());
   report.mean_quality = sum / double((std::max)(std::size_t(1), number_of_remeshed));
-  report.size_conformity = double(number_within_2) / double((std::max)(std::size_t(1), number_of_edges));
+  report.size_conformity = number_of_edges > 0 ? double(number_within_2) / double(number_of_edges) : 1.;
   return result;
 }
 
