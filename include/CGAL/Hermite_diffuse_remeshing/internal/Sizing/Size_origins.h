@@ -72,7 +72,8 @@ public:
     };
     for(const std::array<int, 3>& s : m_bisected)
       for(int k = 0; k < 3; ++k)
-        if(m_origins[s[k]] == ordered(s[next(k)], s[previous(k)]))
+        // samples that have come since have their own sizes
+        if(s[k] < static_cast<int>(m_origins.size()) && m_origins[s[k]] == ordered(s[next(k)], s[previous(k)]))
           lose(s[k]);
     m_bisected.clear();
     if(result.empty())
