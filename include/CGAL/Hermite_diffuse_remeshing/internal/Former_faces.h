@@ -14,8 +14,6 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Model/closest_barycentric.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/plan_repairs.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <unordered_map>

@@ -14,6 +14,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/User_mesh.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/plan_repairs.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/read_input.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/read_size_options.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -94,7 +95,9 @@ Repair_plan plan_repairs(Input_mesh<TriangleMesh, GeomTraits>& input, const Pack
   report.number_of_unrepaired_faces = repaired.number_of_degenerate_faces_left + repaired.number_of_folded_faces_left;
   report.largest_unfolding = repaired.highest_rise;
 
-  Repair_plan plan{repaired.repairs, Former_faces(input.triangles, input.face_ranks, repaired)};
+  Repair_plan plan{repaired.repairs, {}};
+  if constexpr(is_given<Pack, internal_np::vertex_location_map_t>())
+    plan.former_faces = Former_faces(input.triangles, input.face_ranks, repaired);
   input.triangles.triangles = repaired.triangles;
   input.side_marks = repaired.side_marks;
   for(std::size_t i = 0; i < repaired.faces.size(); ++i)

@@ -65,19 +65,7 @@ private:
     const int nearest = *std::min_element(ring.begin(), ring.end(),
                                           [&](const int i, const int j) { return distance2(i) < distance2(j); });
     const Node_frame frame(center.position, center.normal, m_surface.node(nearest).position, center.size);
-    double xy = 0., difference = 0., sum = 0.;
-    for(const int j : m_neighborhood.neighbors())
-    {
-      const Vector x = frame.local(m_surface.node(j).position);
-      xy += 2. * x[0] * x[1];
-      difference += x[0] * x[0] - x[1] * x[1];
-      sum += x[0] * x[0] + x[1] * x[1];
-    }
-    // of the spreads: below it is the same in all directions, but for rounding
-    constexpr double noticeable_part = 1e-6;
-    if(!(std::hypot(xy, difference) > noticeable_part * sum))
-      return frame;
-    const double angle = std::atan2(xy, difference) / 2.;
+    const double angle = Spread(frame, m_neighborhood, m_surface.nodes()).principal_angle();
     return Node_frame(center.position, center.normal,
                       center.position + center.size * (std::cos(angle) * frame.x_axis + std::sin(angle) * frame.y_axis),
                       center.size);

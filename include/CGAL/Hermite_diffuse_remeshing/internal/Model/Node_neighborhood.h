@@ -155,6 +155,14 @@ public:
     return m_yy > least_ratio * m_xx && m_xx > least_ratio * m_yy;
   }
 
+  // from the x axis to the direction in which they are spread most; 0 where that is the same in all, but for rounding
+  double principal_angle() const
+  {
+    constexpr double noticeable_part = 1e-6;
+    const double xx = m_xx * m_xx, twice_xy = 2. * m_xx * m_yx, yy = m_yx * m_yx + m_yy * m_yy;
+    return std::hypot(twice_xy, xx - yy) > noticeable_part * (xx + yy) ? std::atan2(twice_xy, xx - yy) / 2. : 0.;
+  }
+
   Eigen::Vector2d equalized(const Vector& x) const
   {
     const double u = x[0] / m_xx;
