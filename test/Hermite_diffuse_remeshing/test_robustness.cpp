@@ -350,6 +350,23 @@ void test_face_cap()
   check_result(input, mesh);
 }
 
+// Features make more faces than the sizes predict. A budget of a third of the input's faces is met all the same.
+void test_budget_with_features()
+{
+  std::cout << "budget with features" << std::endl;
+  for(const char* const name : {"rotor.off", "couplingdown.off"})
+  {
+    const Surface_mesh input = read_data<Surface_mesh>(name);
+    const std::size_t budget = num_faces(input) / 3;
+    Surface_mesh mesh = input;
+    const auto report =
+      PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.001).maximum_number_of_faces(budget));
+    assert(report.number_of_faces <= budget && 2 * report.number_of_faces > budget);
+    assert(report.predicted_number_of_faces <= double(budget) && report.size_scale > 1.);
+    check_result(input, mesh);
+  }
+}
+
 // A stop before anything was changed: the maps tell where the vertices and faces are, and no bound counts as met.
 HDR::Remeshing_report<Surface_mesh> check_early_stop(Surface_mesh mesh)
 {
@@ -650,6 +667,7 @@ int main()
   test_failing_allocations<Polyhedron>(50);
   test_time_budget();
   test_face_cap();
+  test_budget_with_features();
   test_early_stop();
   test_bound_beyond_face_cap();
   test_refinement_attempts();

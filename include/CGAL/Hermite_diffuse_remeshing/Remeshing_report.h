@@ -247,7 +247,8 @@ struct Remeshing_report
   /// number of faces of the whole mesh that was expected from the sizes before anything was changed:
   /// the integral of \f$ 4/(\sqrt{3}\,L^2) \f$ over the remeshed part, and the faces of the rest
   double predicted_number_of_faces = 0.;
-  /// factor of the sizes that `maximum_number_of_faces` made necessary; 1 if it did not
+  /// factor of the sizes that `maximum_number_of_faces` made necessary; 1 if it did not. Where features make more faces than
+  /// predicted it is larger than that of the prediction.
   double size_scale = 1.;
   /// @}
 

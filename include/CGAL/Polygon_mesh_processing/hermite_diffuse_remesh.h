@@ -233,8 +233,9 @@ namespace Polygon_mesh_processing {
  *   \cgalParamNEnd
  *   \cgalParamNBegin{maximum_number_of_faces}
  *     \cgalParamDescription{budget of remeshed faces. The sizes, their bounds included, are scaled up until
- *       nine tenths of it are predicted, and no edge is split beyond it. Features may keep the faces of a larger input
- *       above it. 0 means the default.}
+ *       nine tenths of it are predicted, and no edge is split beyond it. Where features make more faces of a larger input
+ *       than predicted, the sizes are scaled up further, until the budget is met or only the corners and what they keep are
+ *       left. 0 means the default.}
  *     \cgalParamType{`std::size_t`}
  *     \cgalParamDefault{1000000, or ten times the faces of the input if that is more: a cap, so that an absurdly
  *       small size does not eat the memory}

@@ -90,7 +90,7 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
                           options.maximum_number_of_faces, options.is_guarded);
   Remesher<User> remesher(mesh, options.maximum_number_of_iterations);
   Deviations<User> deviations;
-  watched.stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
+  watched.stage("adaptation", [&] { report.stop_reason = remesher.meet_budget(remesher.adapt()); });
   // a stop, which may come as an exception, leaves those of a coarser level
   if(sizes->is_coarse())
     set_level(mesh, 0);
@@ -105,6 +105,7 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
     report.low_quality_faces = Quality_obstacles<User>(mesh).explain(measure_faces(mesh, report));
     fill_report(mesh, deviations, report);
     report.number_of_iterations = remesher.number_of_iterations();
+    report.size_scale = sizes->scale();     // which may have grown since
     write_result(mesh, deviations.faces);
   };
   if(watched.is_stopped())
