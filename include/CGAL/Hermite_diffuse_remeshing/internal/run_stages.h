@@ -15,6 +15,7 @@
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/enforce_deviation.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/find_quality_obstacles.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/measure.h>
+#include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/meet_budget.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/make_size_map.h>
 
 #include <algorithm>
@@ -90,12 +91,13 @@ void run_stages(const User& user, const std::vector<typename Working_mesh<User>:
                           options.maximum_number_of_faces, options.is_guarded);
   Remesher<User> remesher(mesh, options.maximum_number_of_iterations);
   Deviations<User> deviations;
-  watched.stage("adaptation", [&] { report.stop_reason = remesher.meet_budget(remesher.adapt()); });
+  watched.stage("adaptation", [&] { report.stop_reason = remesher.adapt(); });
   // a stop, which may come as an exception, leaves those of a coarser level
   if(sizes->is_coarse())
     set_level(mesh, 0);
   if(!watched.is_stopped())
-    watched.stage("optimisation", [&] { report.stop_reason = remesher.raise_worst(remesher.optimise(report.stop_reason)); });
+    watched.stage("optimisation", [&]
+    { report.stop_reason = meet_budget(mesh, remesher, remesher.raise_worst(remesher.optimise(report.stop_reason))); });
   if(!watched.is_stopped())
     report.is_deviation_measured = watched.stage("deviation", [&]
     { deviations = enforce_deviation(mesh, *sizes, remesher, options.sizes.maximum_deviation,

@@ -184,8 +184,10 @@ private:
       sum += double(n) * n;
     m_part_factor = (std::min)(1., std::sqrt(maximum_number_of_faces / (tolerance * sum)));
     for(int& n : m_parts)
-      n = static_cast<int>(std::ceil(m_part_factor * n));
+      n = limited(n);
   }
+
+  int limited(const int number_of_parts) const { return static_cast<int>(std::ceil(m_part_factor * number_of_parts)); }
 
   // The height of the model over a facet falls with the square of the length. Where it was found to be higher at a point
   // than `m_heights` says, the peak is narrower than the facet by as much.
@@ -266,7 +268,7 @@ private:
           height = (std::max)(height, distances[next]);
         if(height <= m_heights[f])
           continue;
-        const int n = static_cast<int>(std::ceil(m_part_factor * count_parts(f, height)));
+        const int n = limited(count_parts(f, height));
         if(n <= m_parts[f])
           continue;
         m_parts[f] = n;

@@ -10,7 +10,6 @@
 #define CGAL_HERMITE_DIFFUSE_REMESHING_INTERNAL_TRANSFORMATION_REMESHER_H
 
 #include <CGAL/Hermite_diffuse_remeshing/Remeshing_report.h>
-#include <CGAL/Hermite_diffuse_remeshing/internal/Sizing/limit_number_of_faces.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Adaptation_passes.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/Length_band.h>
 #include <CGAL/Hermite_diffuse_remeshing/internal/Transformation/coarse_levels.h>
@@ -71,32 +70,6 @@ public:
   {
     m_flipped_at = m_balanced_at = since;
     return run_passes(first_pass, (std::min)(m_maximum_number_of_iterations, maximum_number_of_passes), since);
-  }
-
-  // Features, and edges that cannot be collapsed, may make more faces than what the sizes predict. These grow then, until the
-  // budget is met or there is nothing left to collapse.
-  Stop_reason meet_budget(Stop_reason reason)
-  {
-    constexpr int maximum_number_of_rounds = 10, maximum_number_of_rounds_in_vain = 2;
-    constexpr double aim = 0.97;              // of the budget: a little too far does no harm
-    constexpr double longest_step = 0.7;      // the sizes are doubled
-    // of the faces: after less, corners and what they keep are all that is left
-    constexpr double least_decrease = 0.01;
-    const double budget = double(m_mesh.maximum_number_of_faces());
-    Scale_search search(aim * budget, longest_step);
-    int rounds_in_vain = 0;
-    for(int round = 0; round < maximum_number_of_rounds && reason != STOPPED_BY_VISITOR; ++round)
-    {
-      const double number = double(m_mesh.number_of_faces());
-      rounds_in_vain = number < (1. - least_decrease) * search.last_number() ? 0 : rounds_in_vain + 1;
-      if(number <= budget || rounds_in_vain == maximum_number_of_rounds_in_vain)
-        break;
-      m_mesh.reference().sizes.scale_by(search.next_factor(number));
-      m_mesh.update_sizes();
-      m_number_of_iterations = 0;
-      reason = run_passes(Length_band::first_tight_pass, m_maximum_number_of_iterations, 0);
-    }
-    return reason;
   }
 
   // Shapes: sizes come second, and the worst score that an operation touches never falls.

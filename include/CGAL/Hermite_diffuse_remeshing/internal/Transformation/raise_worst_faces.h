@@ -204,10 +204,12 @@ private:
     if(plan.kind == NOTHING)
       for(const halfedge_descriptor side : sides)
         plan_slide(side, plan);
-    if(plan.kind == NOTHING && is_needle(h))
+    if(plan.kind == NOTHING)
       for(const halfedge_descriptor side : sides)
-        for(const halfedge_descriptor other : {next(side, tm), prev(side, tm)})
-          plan_split_and_flip(side, other, plan);
+        for(const halfedge_descriptor split : {side, opposite(side, tm)})
+          if(m_mesh.relative_length(split) >= shortest_to_split && !m_mesh.is_border_or_outside(split))
+            for(const halfedge_descriptor other : {next(split, tm), prev(split, tm)})
+              plan_split_and_flip(split, other, plan);
     return plan;
   }
 
@@ -312,7 +314,7 @@ private:
 
   void plan_split_and_flip(const halfedge_descriptor h, const halfedge_descriptor flipped, Plan& plan) const
   {
-    if(m_mesh.relative_length(h) < shortest_length_to_split_of_needle || !is_flippable(m_mesh, flipped))
+    if(!is_flippable(m_mesh, flipped))
       return;
     Worth before = worth_of_pair(m_mesh, flipped);
     for(const halfedge_descriptor side : sides_of_split(m_mesh, h))

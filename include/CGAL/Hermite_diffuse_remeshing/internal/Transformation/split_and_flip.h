@@ -34,8 +34,10 @@ Site better_site_of_split(const Working_mesh<UserMesh>& mesh,
   return better_site_on_curve(mesh.reference(), middle, ends, star, [](double) { return true; });
 }
 
-// Splits a long side of a needle, and flips the other one. A split alone makes the half at the tip as thin as the whole
-// was; where all three vertices stay, as between corners that are close to each other, no other operation helps.
+// Splits a side of a face, and flips another side of it. Of a needle a split alone makes the half at the tip as thin as the
+// whole was; where all three vertices stay, as between corners that are close to each other, no other operation helps.
+// Nor where two features meet at a wide angle: the new vertex has to come as far from the corner as its neighbours are,
+// past a side of the face behind.
 template <typename UserMesh>
 class Split_and_flip
 {
