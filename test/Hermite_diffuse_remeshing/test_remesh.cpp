@@ -561,6 +561,18 @@ void test_narrow_strips()
   }
 }
 
+// With these sizes a face at a toe of the elephant is between two features that meet at 115 degrees. A vertex between them
+// makes better ones only where it is past the edge of the next face: one operator alone leaves a quality of 0.499.
+void test_wide_corner()
+{
+  std::cout << "wide corner" << std::endl;
+  Surface_mesh mesh = read_data<Surface_mesh>("elephant.off");
+  const auto report = PMP::hermite_diffuse_remesh(mesh, params::approximation_error(0.114206).gradation(1.1)
+                                                                .sharp_dihedral_angle(40.));
+  std::cout << "  smallest quality " << report.smallest_quality << std::endl;
+  assert(report.smallest_quality > 0.55);
+}
+
 // Tessellated cylinders and plates: most of the vertices that are made stay.
 void test_slivers(const char* file)
 {
@@ -1127,6 +1139,7 @@ int main(int argc, char** argv)
   test_close_corners();
   test_sharp_corners();
   test_narrow_strips();
+  test_wide_corner();
   test_slivers("joint.off");
   test_slivers("oblong.off");
   test_folded_border();
