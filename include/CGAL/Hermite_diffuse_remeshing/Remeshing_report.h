@@ -270,7 +270,7 @@ struct Remeshing_report
   /// of vertices that were removed with their edges, the polygon being filled with others
   std::size_t number_of_vertex_removals = 0;
   std::size_t number_of_relocations = 0;    ///< of vertices that were given another point
-  std::size_t number_of_iterations = 0;     ///< passes over the final sizes, those for the deviation included
+  std::size_t number_of_iterations = 0;     ///< passes over the final sizes, those for budget and deviation included
   Stop_reason stop_reason = CONVERGED;      ///< why it ended
   /// name and seconds of every stage, in the order of the run
   std::vector<std::pair<std::string, double> > stages;

@@ -206,10 +206,8 @@ private:
         plan_slide(side, plan);
     if(plan.kind == NOTHING)
       for(const halfedge_descriptor side : sides)
-        for(const halfedge_descriptor split : {side, opposite(side, tm)})
-          if(m_mesh.relative_length(split) >= shortest_to_split && !m_mesh.is_border_or_outside(split))
-            for(const halfedge_descriptor other : {next(split, tm), prev(split, tm)})
-              plan_split_and_flip(split, other, plan);
+        if(m_mesh.relative_length(side) >= shortest_to_split)
+          plan_splits_and_flips(side, plan);
     return plan;
   }
 
@@ -310,6 +308,16 @@ private:
         plan_operation<Curve_vertex_removal<UserMesh> >(plan, before, opposite(g, tm));
     before.add(worth_around(m_mesh, source(h, tm)));
     plan_operation<Edge_removal<UserMesh> >(plan, before, h);
+  }
+
+  // the edge of h is split, and one of the other sides of its faces flipped
+  void plan_splits_and_flips(const halfedge_descriptor h, Plan& plan) const
+  {
+    const auto& tm = m_mesh.tmesh();
+    for(const halfedge_descriptor side : {h, opposite(h, tm)})
+      if(!m_mesh.is_border_or_outside(side))
+        for(const halfedge_descriptor flipped : {next(side, tm), prev(side, tm)})
+          plan_split_and_flip(side, flipped, plan);
   }
 
   void plan_split_and_flip(const halfedge_descriptor h, const halfedge_descriptor flipped, Plan& plan) const
